@@ -1,0 +1,46 @@
+#pragma once
+// What a scene and its settings need. What no bit asks for is not allocated, built, launched or compiled in.
+
+#include "render/core/hd.h"
+
+namespace ropelight {
+
+using FeatureBits = std::uint32_t;
+
+namespace feature {
+inline constexpr FeatureBits quads = 1u << 0;
+inline constexpr FeatureBits spheres = 1u << 1;
+inline constexpr FeatureBits triangles = 1u << 2;
+inline constexpr FeatureBits tree = 1u << 3;     ///< kd-tree; without it every primitive is tested
+inline constexpr FeatureBits diffuse = 1u << 4;  ///< a surface that photons can be stored on
+inline constexpr FeatureBits mirror = 1u << 5;
+inline constexpr FeatureBits dielectric = 1u << 6;
+inline constexpr FeatureBits lens = 1u << 7;  ///< thin lens: two more sample dimensions
+inline constexpr FeatureBits lights = 1u << 8;
+inline constexpr FeatureBits photons = 1u << 9;   ///< photon pass, grid and gather
+inline constexpr FeatureBits nearest = 1u << 10;  ///< k-nearest gather
+inline constexpr FeatureBits all = (1u << 11) - 1;
+}  // namespace feature
+
+struct FeatureName {
+  FeatureBits bit;
+  const char* name;
+  const char* what;
+};
+
+/// In the order that `ropelight info` prints.
+inline constexpr FeatureName featureNames[] = {
+    {feature::quads, "quads", "quads and box faces"},
+    {feature::spheres, "spheres", "spheres and ellipsoids"},
+    {feature::triangles, "triangles", "triangle meshes"},
+    {feature::tree, "tree", "kd-tree with ropes"},
+    {feature::diffuse, "diffuse", "diffuse surfaces"},
+    {feature::mirror, "mirror", "mirrors"},
+    {feature::dielectric, "dielectric", "smooth dielectrics"},
+    {feature::lens, "lens", "thin-lens samples"},
+    {feature::lights, "lights", "emitters and shadow rays"},
+    {feature::photons, "photons", "photon pass, hash grid and gather"},
+    {feature::nearest, "nearest", "k-nearest gather"},
+};
+
+}  // namespace ropelight

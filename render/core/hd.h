@@ -1,0 +1,55 @@
+#pragma once
+// The one place that knows which compiler reads a header: host/device markers, the target namespace, the scalar.
+
+#include <cstdint>
+
+#if defined(__CUDACC__)
+#define RL_HD __host__ __device__
+#define RL_TARGET cuda
+#elif defined(ROPELIGHT_DOUBLE)
+#define RL_HD
+#define RL_TARGET cpu64
+#else
+#define RL_HD
+#define RL_TARGET cpu
+#endif
+
+#if defined(__CUDA_ARCH__)
+#define RL_DEVICE_CODE 1
+#else
+#define RL_DEVICE_CODE 0
+#endif
+
+namespace ropelight::RL_TARGET {
+
+#if defined(ROPELIGHT_DOUBLE) && !defined(__CUDACC__)
+using Real = double;
+#else
+using Real = float;
+#endif
+
+// A product that no compiler may fuse into a multiply-add: edge tests rely on fl(ab) − fl(cd) being antisymmetric.
+RL_HD inline Real mulRounded(Real a, Real b) {
+#if RL_DEVICE_CODE
+  return __fmul_rn(a, b);
+#else
+  return a * b;  // host code is built with -ffp-contract=off
+#endif
+}
+
+RL_HD inline std::uint32_t reverseBits(std::uint32_t x) {
+#if RL_DEVICE_CODE
+  return __brev(x);
+#else
+  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  x = ((x >> 4) & 0x0F0F0F0Fu) | ((x & 0x0F0F0F0Fu) << 4);
+  return __builtin_bswap32(x);
+#endif
+}
+
+RL_HD inline std::uint32_t mulHigh(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint32_t>((static_cast<std::uint64_t>(a) * b) >> 32);
+}
+
+}  // namespace ropelight::RL_TARGET

@@ -1,0 +1,41 @@
+#pragma once
+// Floating-point tools: error bounds, ray offsets, compensated sums.
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "render/core/vec.h"
+
+namespace ropelight::RL_TARGET {
+
+inline constexpr Real pi = Real(3.14159265358979323846);
+inline constexpr Real invPi = Real(0.31830988618379067154);
+inline constexpr Real infinity = std::numeric_limits<Real>::infinity();
+inline constexpr Real machineEpsilon = std::numeric_limits<Real>::epsilon() / 2;
+
+/// Bound on the relative error of n roundings: nε/(1 − nε) (Higham 2002, Lemma 3.1).
+RL_HD constexpr Real gammaBound(int n) { return (n * machineEpsilon) / (1 - n * machineEpsilon); }
+
+RL_HD inline bool isFinite(Real x) { return x - x == 0; }
+RL_HD inline bool isFinite(Vec3 v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z); }
+RL_HD inline Real square(Real x) { return x * x; }
+RL_HD inline Real maxAbs(Vec3 v) { return maxOf(maxOf(abs(v.x), abs(v.y)), abs(v.z)); }
+RL_HD inline Vec3 absolute(Vec3 v) { return Vec3(abs(v.x), abs(v.y), abs(v.z)); }
+RL_HD inline Real lengthSquared(Vec3 v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+
+/// The neighbouring floating-point number away from zero in the direction of `sign`; infinities stay.
+RL_HD inline Real nextToward(Real x, Real sign) { return nextafter(x, sign > 0 ? infinity : -infinity); }
+
+/// Moves a computed surface point off its surface to the side of w, past the bound on its error (pbrt-3, §3.9.5).
+/// p, error in scene units; n unit length.
+RL_HD inline Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 n, Vec3 w) {
+  Real distance = dot(absolute(n), error);
+  Vec3 offset = n * (dot(w, n) < 0 ? -distance : distance);
+  Vec3 o = p + offset;
+  for (int a = 0; a < 3; ++a)
+    if (offset[a] != 0) o[a] = nextToward(o[a], offset[a]);
+  return o;
+}
+
+}  // namespace ropelight::RL_TARGET

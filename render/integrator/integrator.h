@@ -1,0 +1,80 @@
+#pragma once
+// What the program sees of a rendering: advance it, look at its film, ask what it cost.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/film/image.h"
+#include "render/integrator/settings.h"
+#include "render/scene/scene.h"
+
+namespace ropelight {
+
+/// Counts since reset, and what the automatic settings came to.
+struct Stats {
+  std::uint64_t iterations = 0;   ///< committed to the film
+  double seconds = 0;             ///< spent in advance()
+  std::uint64_t rays = 0;         ///< closest-hit rays, camera and photon
+  std::uint64_t shadowRays = 0;   ///< any-hit rays
+  std::uint64_t photonPaths = 0;  ///< emitted
+  std::uint64_t photonsStored = 0;
+  std::uint64_t nonFinite = 0;       ///< samples that were NaN or infinite and left out
+  std::uint64_t truncatedPaths = 0;  ///< cut at the hard depth limit
+  std::uint64_t regrown = 0;         ///< iterations traced again after the photon storage had grown
+  std::uint64_t chunks = 1;          ///< parts that one iteration's photons are traced in
+  double firstRadius = 0;            ///< scene units; 0 without photons
+  double radius = 0;                 ///< of the latest iteration
+  std::string accel;                 ///< tree or brute
+  std::string kernelRow;             ///< the row of variants.h in use
+  std::string device;
+  FeatureBits features = 0;
+  std::map<std::string, std::uint64_t> bytes;     ///< device memory by purpose
+  std::map<std::string, std::uint64_t> launches;  ///< stage name → times launched since reset
+  std::map<std::string, double> stageSeconds;     ///< stage name → seconds, where measured
+};
+
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  /// Adds `count` iterations to the film. Returns when they are committed.
+  virtual void advance(int count) = 0;
+  /// Starts again with an empty film and the same settings.
+  virtual void reset() = 0;
+  /// The mean of all iterations, linear radiance.
+  virtual Image film() const = 0;
+  virtual Stats stats() const = 0;
+};
+
+/// A usable device, or why it cannot be used.
+struct DeviceInfo {
+  std::string backend;  ///< cpu or cuda
+  int index = 0;        ///< of the GPU; 0 for the CPU
+  std::string name;
+  std::uint64_t memory = 0;  ///< bytes
+  bool usable = false;
+  std::string note;  ///< driver and runtime versions, or why it is not usable
+};
+
+/// The CPU first, then every GPU that the driver names. Never throws for a missing driver or device.
+std::vector<DeviceInfo> listDevices();
+
+struct BackendChoice {
+  std::string backend = "auto";  ///< auto, cuda or cpu
+  int gpu = 0;
+  int threads = 0;  ///< CPU threads; 0: all cores
+};
+
+/// The mode names that makeIntegrator takes, in menu order.
+std::vector<std::string> modeNames();
+
+/// Flattens the scene, builds the acceleration structure and allocates the buffers that its features ask for.
+/// `auto` takes the first usable GPU, else the CPU; `why` (if given) says which and why.
+/// Throws Error: noDevice where the backend asked for cannot be used, outOfMemory where buffers do not fit, usage for
+/// settings that contradict each other.
+std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& settings, const BackendChoice& choice,
+                                           std::string* why = nullptr);
+
+}  // namespace ropelight

@@ -1,0 +1,75 @@
+#pragma once
+// The host's value type of a scene: what a loader fills, before anything is flattened for a backend.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/bsdf/bsdfs.h"
+#include "render/core/vec.h"
+
+namespace ropelight {
+
+/// Thin-lens camera. Lengths in scene units, the angle in degrees.
+struct CameraDesc {
+  Vec3d position{0, 0, 5};
+  Vec3d target{0, 0, 0};
+  Vec3d up{0, 1, 0};
+  double verticalFov = 45;    ///< full angle, degrees, in (0, 180)
+  double apertureRadius = 0;  ///< 0: pinhole
+  double focusDistance = 0;   ///< along the view direction; 0: distance to the target
+};
+
+struct FilmDesc {
+  int width = 512;   ///< pixels
+  int height = 512;  ///< pixels
+};
+
+enum class Side : std::uint8_t { out = 1, in = 2, both = 3 };
+
+/// Diffuse emission: the same radiance (W·sr⁻¹·m⁻²) in all directions of a side.
+struct Emission {
+  Rgb radiance{1.0f};
+  Side side = Side::out;
+};
+
+enum class ShapeKind : std::uint8_t {
+  sphere,  ///< unit sphere around the origin; its outside is `out`
+  box,     ///< [−1, 1]³; its outside is `out`
+  quad,    ///< (0,0,0) (1,0,0) (1,1,0) (0,1,0); its normal, and `out`, is +z
+  mesh,    ///< triangles; counter-clockwise seen from outside
+};
+
+/// Triangles by index into positions, in the mesh's own space.
+struct Mesh {
+  std::string file;
+  std::vector<Vec3d> positions;
+  std::vector<glm::uvec3> triangles;
+};
+
+struct NamedMaterial {
+  std::string name;
+  MaterialDesc desc;
+};
+
+/// One shape placed in the world by an affine transform (column vectors: world = toWorld · local).
+struct ShapeDesc {
+  ShapeKind kind = ShapeKind::sphere;
+  std::string name;
+  Mat4d toWorld{1.0};
+  int material = 0;  ///< index into Scene::materials
+  int mesh = -1;     ///< index into Scene::meshes, for ShapeKind::mesh alone
+  std::optional<Emission> emission;
+};
+
+struct Scene {
+  std::string name;
+  std::string file;
+  CameraDesc camera;
+  FilmDesc film;
+  std::vector<NamedMaterial> materials;
+  std::vector<Mesh> meshes;
+  std::vector<ShapeDesc> shapes;
+};
+
+}  // namespace ropelight
