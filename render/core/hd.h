@@ -37,6 +37,15 @@ RL_HD inline Real mulRounded(Real a, Real b) {
 #endif
 }
 
+// a·b + c, contracted on the device and never on the host: the same function of its arguments wherever it is inlined.
+RL_HD inline Real mulAdd(Real a, Real b, Real c) {
+#if RL_DEVICE_CODE
+  return __fmaf_rn(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
 RL_HD inline std::uint32_t reverseBits(std::uint32_t x) {
 #if RL_DEVICE_CODE
   return __brev(x);

@@ -1,6 +1,7 @@
 #pragma once
 // An image on the host: linear Rec. 709 RGB, row 0 at the top, column 0 at the left.
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -19,5 +20,7 @@ struct Image {
   Rgb& at(int x, int y) { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
   const Rgb& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
+
+inline bool isFinitePixel(Rgb p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 }  // namespace ropelight

@@ -27,6 +27,7 @@ struct Stats {
   std::uint64_t chunks = 1;          ///< parts that one iteration's photons are traced in
   double firstRadius = 0;            ///< scene units; 0 without photons
   double radius = 0;                 ///< of the latest iteration
+  Settings settings;                 ///< resolved: no automatic value is left
   std::string accel;                 ///< tree or brute
   std::string kernelRow;             ///< the row of variants.h in use
   std::string device;
@@ -64,7 +65,8 @@ std::vector<DeviceInfo> listDevices();
 struct BackendChoice {
   std::string backend = "auto";  ///< auto, cuda or cpu
   int gpu = 0;
-  int threads = 0;  ///< CPU threads; 0: all cores
+  int threads = 0;          ///< CPU threads; 0: all cores
+  bool stageTimes = false;  ///< time every stage on a GPU too, at the cost of a synchronisation each
 };
 
 /// The mode names that makeIntegrator takes, in menu order.

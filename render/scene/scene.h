@@ -6,9 +6,21 @@
 #include <vector>
 
 #include "render/bsdf/bsdfs.h"
+#include "render/core/params.h"
 #include "render/core/vec.h"
+#include "render/light/side.h"
 
 namespace ropelight {
+
+// What single precision can work with, with room for squares and areas.
+inline constexpr double maxCoordinate = 1e14;  ///< scene units
+inline constexpr double minExtent = 1e-15;     ///< scene units; of a shape's largest dimension
+inline constexpr double maxRadiance = 1e15;    ///< W·sr⁻¹·m⁻²
+inline constexpr double minFov = 0.001;        ///< degrees
+inline constexpr double maxFov = 179.9;        ///< degrees
+inline constexpr int maxFilmEdge = 65536;      ///< pixels
+inline constexpr double maxFilmPixels = 1 << 28;
+inline constexpr ParamInfo coordinateLimits{"coordinate", -maxCoordinate, maxCoordinate, "scene units"};
 
 /// Thin-lens camera. Lengths in scene units, the angle in degrees.
 struct CameraDesc {
@@ -24,8 +36,6 @@ struct FilmDesc {
   int width = 512;   ///< pixels
   int height = 512;  ///< pixels
 };
-
-enum class Side : std::uint8_t { out = 1, in = 2, both = 3 };
 
 /// Diffuse emission: the same radiance (W·sr⁻¹·m⁻²) in all directions of a side.
 struct Emission {
@@ -71,5 +81,9 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<ShapeDesc> shapes;
 };
+
+/// Refuses what no format may hold: no shapes, values that are not finite, a camera without a direction, shapes that
+/// their transform flattens, indices of nothing. Throws Error (badInput) with the scene's file and a JSON pointer.
+void validateScene(const Scene& scene);
 
 }  // namespace ropelight

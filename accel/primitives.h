@@ -1,0 +1,116 @@
+#pragma once
+// What rays meet: parallelograms, ellipsoids and triangles, and how.
+
+#include "render/core/ray.h"
+
+namespace ropelight::RL_TARGET {
+
+/// A parallelogram a, b, c, d in order around it, with normal (b − a) × (d − a). Boxes share corners bit for bit.
+struct Quad {
+  Vec3 a, b, c, d;
+};
+
+/// The image of the unit sphere under x ↦ toWorld·x + center.
+struct Sphere {
+  Mat3 toObject, toWorld;
+  Vec3 center;
+};
+
+struct Triangle {
+  Vec3 a, b, c;
+};
+
+/// The shear that takes a ray to the +z axis (Woop, Benthin & Wald 2013, "Watertight Ray/Triangle Intersection").
+struct RayShear {
+  int kx, ky, kz;
+  Vec3 origin;  ///< permuted
+  Real sx, sy, sz;
+
+  RL_HD explicit RayShear(const Ray& ray) {
+    Vec3 const m = absolute(ray.direction);
+    kz = m.x > m.y ? (m.x > m.z ? 0 : 2) : (m.y > m.z ? 1 : 2);
+    kx = kz == 2 ? 0 : kz + 1;
+    ky = kx == 2 ? 0 : kx + 1;
+    Vec3 const o = ray.origin, d = ray.direction;
+    origin = Vec3(pick(o, kx), pick(o, ky), pick(o, kz));
+    sz = 1 / pick(d, kz);
+    sx = pick(d, kx) * sz;
+    sy = pick(d, ky) * sz;
+  }
+
+  RL_HD static Real pick(Vec3 v, int k) { return k == 0 ? v.x : (k == 1 ? v.y : v.z); }
+
+  /// A vertex shared by two primitives is sheared to the same bits in both: that makes the edge test watertight.
+  RL_HD Vec3 operator()(const Vec3& v) const {
+    const Real* p = &v.x;
+    Real const z = p[kz] - origin.z;
+    return Vec3(mulAdd(-sx, z, p[kx] - origin.x), mulAdd(-sy, z, p[ky] - origin.y), sz * z);
+  }
+};
+
+/// Twice the signed area of (0, p, q): edge(q, p) is exactly −edge(p, q), and the sign is never wrong (it may be 0).
+RL_HD inline Real edge(Vec3 p, Vec3 q) { return mulRounded(p.x, q.y) - mulRounded(p.y, q.x); }
+
+RL_HD inline bool mixedSigns(Real lowest, Real highest) { return lowest < 0 && highest > 0; }
+
+/// Completes a hit of the sheared triangle p, q, r with edge values u, v, w; rejects t within its own error of zero
+/// (pbrt-3, §3.9.6).
+RL_HD inline bool hitTriangle(Vec3 p, Vec3 q, Vec3 r, Real u, Real v, Real w, const Hit& hit, std::uint32_t id, Real& t,
+                              Real& inverse) {
+  Real const det = u + v + w;
+  if (det == 0) return false;
+  inverse = 1 / det;
+  t = (u * p.z + v * q.z + w * r.z) * inverse;
+  if (!(t > 0) || !hit.improvedBy(t, id)) return false;
+  Real const maxX = maxAbs(Vec3(p.x, q.x, r.x)), maxY = maxAbs(Vec3(p.y, q.y, r.y));
+  Real const maxZ = maxAbs(Vec3(p.z, q.z, r.z)), maxE = maxAbs(Vec3(u, v, w));
+  Real const deltaX = gammaBound(5) * (maxX + maxZ), deltaY = gammaBound(5) * (maxY + maxZ);
+  Real const deltaZ = gammaBound(3) * maxZ;
+  Real const deltaE = 2 * (gammaBound(2) * maxX * maxY + deltaY * maxX + deltaX * maxY);
+  return t > 3 * (gammaBound(3) * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) * abs(inverse);
+}
+
+/// Replaces `hit` where the triangle is met in (0, hit.t).
+RL_HD inline void intersect(const Triangle& triangle, const RayShear& shear, std::uint32_t id, Hit& hit) {
+  Vec3 const p = shear(triangle.a), q = shear(triangle.b), r = shear(triangle.c);
+  Real const u = edge(r, q), v = edge(p, r), w = edge(q, p);
+  if (mixedSigns(minOf(u, minOf(v, w)), maxOf(u, maxOf(v, w)))) return;
+  Real t, inverse;
+  if (hitTriangle(p, q, r, u, v, w, hit, id, t, inverse)) hit = Hit{t, id, v * inverse, w * inverse};
+}
+
+/// As two triangles whose diagonal is tested once; u, v: coordinates along b − a and d − a.
+RL_HD inline void intersect(const Quad& quad, const RayShear& shear, std::uint32_t id, Hit& hit) {
+  Vec3 const a = shear(quad.a), b = shear(quad.b), c = shear(quad.c), d = shear(quad.d);
+  Real const ab = edge(b, a), bc = edge(c, b), cd = edge(d, c), da = edge(a, d);
+  Real const highest = maxOf(maxOf(ab, bc), maxOf(cd, da));
+  if (mixedSigns(minOf(minOf(ab, bc), minOf(cd, da)), highest)) return;
+  Real const ac = edge(a, c);
+  Real t, inverse;
+  if (highest > 0 ? ac >= 0 : ac <= 0) {
+    if (hitTriangle(a, b, c, bc, ac, ab, hit, id, t, inverse)) hit = Hit{t, id, (ac + ab) * inverse, ab * inverse};
+  } else {
+    if (hitTriangle(a, c, d, cd, da, -ac, hit, id, t, inverse)) hit = Hit{t, id, da * inverse, (da - ac) * inverse};
+  }
+}
+
+/// Roots of |o + t d|² = 1 without cancellation (Haines et al. 2019, Ray Tracing Gems, ch. 7).
+RL_HD inline bool unitSphereRoots(Vec3 o, Vec3 d, Real& t0, Real& t1) {
+  Real const a = dot(d, d), b = -dot(o, d);
+  Real const discriminant = 1 - lengthSquared(o + d * (b / a));
+  if (!(discriminant >= 0)) return false;
+  Real const q = b + copysign(sqrt(a * discriminant), b);
+  Real const r0 = (dot(o, o) - 1) / q, r1 = q / a;
+  t0 = minOf(r0, r1);
+  t1 = maxOf(r0, r1);
+  return true;
+}
+
+RL_HD inline void intersect(const Sphere& sphere, const Ray& ray, std::uint32_t id, Hit& hit) {
+  Real t0, t1;
+  if (!unitSphereRoots(sphere.toObject * (ray.origin - sphere.center), sphere.toObject * ray.direction, t0, t1)) return;
+  Real const t = t0 > 0 ? t0 : t1;
+  if (t > 0 && hit.improvedBy(t, id)) hit = Hit{t, id, 0, 0};
+}
+
+}  // namespace ropelight::RL_TARGET

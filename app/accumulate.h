@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/progress.h"
+#include "render/integrator/integrator.h"
+
+namespace ropelight {
+
+struct Accumulated {
+  double seconds = 0;  ///< wall clock
+  bool interrupted = false;
+};
+
+/// Advances until the goal is met or Ctrl-C is pressed; at least one iteration. Batches take about 0.1 s, so that both
+/// are honoured soon without a cost to every iteration.
+Accumulated accumulate(Integrator& integrator, const Goal& goal, bool quiet);
+
+}  // namespace ropelight

@@ -1,0 +1,32 @@
+#pragma once
+// Settings and statistics as data: for --json and for the metadata of an image.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "render/film/exr.h"
+#include "render/integrator/integrator.h"
+#include "render/scene/scene.h"
+
+namespace ropelight {
+
+/// The settings with what was left automatic filled in from the scene and from what the integrator chose.
+Settings resolved(Settings settings, const Scene& scene, const Stats& stats);
+
+nlohmann::ordered_json toJson(Settings settings);
+nlohmann::ordered_json toJson(const Stats& stats);
+
+/// Iterations a second.
+double iterationRate(const Stats& stats);
+
+/// Millions a second of rays (closest-hit and shadow), and of photon paths. 0 where no time was spent.
+double megaRays(const Stats& stats);
+double megaPhotons(const Stats& stats);
+
+/// The metadata of an image: every setting, and iterations, seconds, device, version and scene.
+Metadata imageMetadata(Settings resolvedSettings, const Scene& scene, const Stats& stats);
+
+/// "512 B", "1.5 KiB", "20.0 MiB" …
+std::string formatBytes(std::uint64_t bytes);
+
+}  // namespace ropelight

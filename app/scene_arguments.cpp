@@ -1,0 +1,64 @@
+#include "app/scene_arguments.h"
+
+#include <fmt/format.h>
+
+#include <type_traits>
+
+#include "render/core/error.h"
+#include "render/scene/suggest.h"
+
+namespace ropelight {
+namespace {
+
+constexpr const char* settingsGroup = "Settings";
+
+/// key=value, as -D takes it.
+void assignPair(Settings& settings, const std::string& pair) {
+  std::size_t const equals = pair.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw Error(fmt::format("-D {}: expected key=value", pair), ExitCode::usage);
+  assignSetting(settings, pair.substr(0, equals), pair.substr(equals + 1));
+}
+
+void addSettings(CLI::App& app, Settings& settings) {
+  settings.params([&](const std::string& name, auto& value, const ParamInfo& info) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>)
+      app.add_flag("--" + name, value, describe(info))->group(settingsGroup);
+    else
+      addValue(app, "--" + name, value, info)->group(settingsGroup);
+  });
+  auto const assignAll = [&settings](const std::vector<std::string>& pairs) {
+    for (const std::string& pair : pairs) assignPair(settings, pair);
+  };
+  app.add_option_function<std::vector<std::string>>("-D", assignAll, "any setting as key=value, over its own option")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->group(settingsGroup);
+}
+
+}  // namespace
+
+void assignSetting(Settings& settings, const std::string& key, const std::string& text) {
+  bool found = false;
+  std::vector<std::string> names;
+  settings.params([&](const std::string& name, auto& value, const ParamInfo& info) {
+    names.push_back(name);
+    if (name != key) return;
+    parseValue("-D " + name, text, info, value);
+    found = true;
+  });
+  if (found) return;
+  throw Error(
+      fmt::format("-D {}: there is no such setting{}; there are: {}", key, suggestion(key, names), joinNames(names)),
+      ExitCode::usage);
+}
+
+void addSceneArguments(CLI::App& app, SceneOptions& options) {
+  BackendChoice& backend = options.backend;
+  addValue(app, "--backend", backend.backend, ParamInfo{"auto (first usable GPU, else the CPU), cuda or cpu"});
+  addValue(app, "--gpu", backend.gpu, ParamInfo{"index of the GPU", 0, 1023});
+  addValue(app, "--threads", backend.threads, ParamInfo{"CPU threads; 0: all cores", 0, 4096});
+  addSettings(app, options.settings);
+}
+
+}  // namespace ropelight

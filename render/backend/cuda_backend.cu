@@ -1,0 +1,73 @@
+#include "render/backend/cuda_backend.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "render/backend/devices.h"
+
+namespace ropelight::cuda {
+
+Backend::Backend(const BackendChoice& choice) {
+  RL_CUDA(cudaSetDevice(choice.gpu));
+  for (const DeviceInfo& d : cudaDevices())
+    if (d.index == choice.gpu) device_ = d;
+  RL_CUDA(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking));
+  RL_CUDA(cudaEventCreate(&before_));
+  RL_CUDA(cudaEventCreate(&after_));
+  timed_ = choice.stageTimes;
+  totals_.allocate(*this, "counters", 1);
+  clearTallies();
+}
+
+Backend::~Backend() {
+  cudaStreamSynchronize(stream_);
+  cudaEventDestroy(before_);
+  cudaEventDestroy(after_);
+  cudaStreamDestroy(stream_);
+}
+
+std::uint64_t Backend::memoryFree() const {
+  std::size_t free = 0, total = 0;
+  RL_CUDA(cudaMemGetInfo(&free, &total));
+  return free;
+}
+
+void Backend::sortPairs(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, Buffer<std::uint32_t>& keyScratch,
+                        Buffer<std::uint32_t>& valueScratch, std::uint32_t n, int bits) {
+  if (n == 0) return;
+  ledger_.launched("Sort");
+  Timer const timer(*this, "Sort");
+  cub::DoubleBuffer<std::uint32_t> k(keys.span().data, keyScratch.span().data);
+  cub::DoubleBuffer<std::uint32_t> v(values.span().data, valueScratch.span().data);
+  std::size_t bytes = 0;
+  RL_CUDA(cub::DeviceRadixSort::SortPairs(nullptr, bytes, k, v, n, 0, bits, stream_));
+  RL_CUDA(cub::DeviceRadixSort::SortPairs(scratch(bytes), bytes, k, v, n, 0, bits, stream_));
+  std::size_t const size = std::size_t(n) * sizeof(std::uint32_t);
+  if (k.Current() != keys.span().data)
+    RL_CUDA(cudaMemcpyAsync(keys.span().data, k.Current(), size, cudaMemcpyDeviceToDevice, stream_));
+  if (v.Current() != values.span().data)
+    RL_CUDA(cudaMemcpyAsync(values.span().data, v.Current(), size, cudaMemcpyDeviceToDevice, stream_));
+}
+
+void* Backend::scratch(std::size_t bytes) {
+  if (scratch_.size() < bytes) {
+    synchronize();
+    scratch_.allocate(*this, "scan and sort", bytes + bytes / 4 + 256);
+  }
+  return scratch_.span().data;
+}
+
+Backend::Timer::Timer(Backend& backend, const char* stage) : backend_(backend), stage_(stage) {
+  if (backend_.timed_) cudaEventRecord(backend_.before_, backend_.stream_);
+}
+
+Backend::Timer::~Timer() {
+  if (!backend_.timed_) return;
+  cudaEventRecord(backend_.after_, backend_.stream_);
+  cudaEventSynchronize(backend_.after_);
+  float milliseconds = 0;
+  cudaEventElapsedTime(&milliseconds, backend_.before_, backend_.after_);
+  backend_.ledger_.timed(stage_, milliseconds * 1e-3);
+}
+
+}  // namespace ropelight::cuda

@@ -1,0 +1,172 @@
+#pragma once
+// A CUDA device as a backend: one stream, one thread an element, CUB for scans and sorts.
+
+#include <cub/device/device_radix_sort.cuh>
+#include <cub/device/device_scan.cuh>
+
+#include "render/backend/cuda_check.h"
+#include "render/backend/ledger.h"
+#include "render/backend/tally.h"
+#include "render/core/span.h"
+#include "render/integrator/integrator.h"
+
+namespace ropelight::cuda {
+
+struct Plus {
+  template <class T>
+  __host__ __device__ T operator()(const T& a, const T& b) const {
+    return a + b;
+  }
+};
+
+__device__ inline void addToTotals(TallyTotals* totals, const Tally& t) {
+  auto const add = [](unsigned long long* to, std::uint32_t value) {
+    std::uint32_t const sum = __reduce_add_sync(0xFFFFFFFFu, value);
+    if ((threadIdx.x & 31) == 0 && sum != 0) atomicAdd(to, static_cast<unsigned long long>(sum));
+  };
+  add(&totals->rays, t.rays);
+  add(&totals->shadowRays, t.shadowRays);
+  add(&totals->nonFinite, t.nonFinite);
+  add(&totals->truncated, t.truncated);
+}
+
+template <class Stage>
+__global__ void runStage(std::uint32_t n, Stage stage, TallyTotals* totals) {
+  std::uint32_t const i = blockIdx.x * blockDim.x + threadIdx.x;
+  Tally tally;
+  if (i < n) stage(i, tally);
+  addToTotals(totals, tally);
+}
+
+class Backend {
+ public:
+  /// Device memory of `size` elements under a purpose in the ledger; contents are undefined until written.
+  template <class T>
+  class Buffer {
+   public:
+    Buffer() = default;
+    Buffer(Backend& backend, const char* purpose, std::size_t size) { allocate(backend, purpose, size); }
+    ~Buffer() { release(); }
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+
+    /// Throws std::bad_alloc and keeps nothing where the memory cannot be had.
+    void allocate(Backend& backend, const char* purpose, std::size_t size) {
+      release();
+      if (size == 0) return;
+      if (cudaMalloc(&data_, size * sizeof(T)) != cudaSuccess) {
+        cudaGetLastError();  // the failure is answered here and must not show up in the next check
+        data_ = nullptr;
+        throw std::bad_alloc();
+      }
+      ledger_ = &backend.ledger_;
+      purpose_ = purpose;
+      size_ = size;
+      ledger_->allocated(purpose_, size_ * sizeof(T));
+    }
+    void release() {
+      if (!data_) return;
+      cudaFree(data_);
+      ledger_->freed(purpose_, size_ * sizeof(T));
+      data_ = nullptr;
+      size_ = 0;
+    }
+    std::size_t size() const { return size_; }
+    Span<T> span() const { return {data_, std::uint32_t(size_)}; }
+    Span<const T> view() const { return {data_, std::uint32_t(size_)}; }
+
+   private:
+    T* data_ = nullptr;
+    std::size_t size_ = 0;
+    Ledger* ledger_ = nullptr;
+    const char* purpose_ = "";
+  };
+
+  explicit Backend(const BackendChoice& choice);
+  ~Backend();
+  Backend(const Backend&) = delete;
+  Backend& operator=(const Backend&) = delete;
+
+  Ledger& ledger() { return ledger_; }
+  const Ledger& ledger() const { return ledger_; }
+  const DeviceInfo& device() const { return device_; }
+  std::uint64_t memoryFree() const;
+
+  template <class T>
+  void upload(Buffer<T>& to, const T* from, std::size_t count) {
+    if (count == 0) return;
+    RL_CUDA(cudaMemcpyAsync(to.span().data, from, count * sizeof(T), cudaMemcpyHostToDevice, stream_));
+    synchronize();
+  }
+  template <class T>
+  void download(T* to, const Buffer<T>& from, std::size_t count) const {
+    if (count == 0) return;
+    RL_CUDA(cudaMemcpyAsync(to, from.view().data, count * sizeof(T), cudaMemcpyDeviceToHost, stream_));
+    synchronize();
+  }
+  template <class T>
+  void clear(Buffer<T>& buffer) {
+    if (buffer.size() > 0) RL_CUDA(cudaMemsetAsync(buffer.span().data, 0, buffer.size() * sizeof(T), stream_));
+  }
+
+  template <class Stage>
+  void forEach(std::uint32_t n, const Stage& stage) {
+    if (n == 0) return;
+    ledger_.launched(Stage::name);
+    constexpr std::uint32_t threads = 128;
+    Timer const timer(*this, Stage::name);
+    runStage<<<(n + threads - 1) / threads, threads, 0, stream_>>>(n, stage, totals_.span().data);
+    RL_CUDA(cudaGetLastError());
+  }
+
+  /// out[i] = in[0] + … + in[i−1]; the sum of all goes to out[n]. `in` has room for n elements, out for n + 1.
+  template <class T>
+  void exclusiveScan(const Buffer<T>& in, Buffer<T>& out, std::uint32_t n) {
+    ledger_.launched("Scan");
+    Timer const timer(*this, "Scan");
+    RL_CUDA(cudaMemsetAsync(out.span().data, 0, sizeof(T), stream_));
+    std::size_t bytes = 0;
+    RL_CUDA(cub::DeviceScan::InclusiveScan(nullptr, bytes, in.view().data, out.span().data + 1, Plus{}, n, stream_));
+    RL_CUDA(
+        cub::DeviceScan::InclusiveScan(scratch(bytes), bytes, in.view().data, out.span().data + 1, Plus{}, n, stream_));
+  }
+
+  /// Sorts pairs by the low `bits` of their keys, stable. keys and values hold the result; the others are scratch.
+  void sortPairs(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, Buffer<std::uint32_t>& keyScratch,
+                 Buffer<std::uint32_t>& valueScratch, std::uint32_t n, int bits);
+
+  void synchronize() const { RL_CUDA(cudaStreamSynchronize(stream_)); }
+
+  TallyTotals tallies() const {
+    TallyTotals t;
+    download(&t, totals_, 1);
+    return t;
+  }
+  void clearTallies() { clear(totals_); }
+
+ private:
+  /// Adds a stage's device time to the ledger where timing was asked for; costs a synchronisation then.
+  class Timer {
+   public:
+    Timer(Backend& backend, const char* stage);
+    ~Timer();
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+   private:
+    Backend& backend_;
+    const char* stage_;
+  };
+
+  void* scratch(std::size_t bytes);
+
+  Ledger ledger_;
+  DeviceInfo device_;
+  cudaStream_t stream_ = nullptr;
+  cudaEvent_t before_ = nullptr, after_ = nullptr;
+  bool timed_ = false;
+  Buffer<TallyTotals> totals_;
+  Buffer<unsigned char> scratch_;
+};
+
+}  // namespace ropelight::cuda

@@ -1,0 +1,21 @@
+#pragma once
+// CUDA calls that cannot fail unless we did something wrong, and allocations that may.
+
+#include <cuda_runtime.h>
+#include <fmt/format.h>
+
+#include <new>
+
+#include "render/core/error.h"
+
+namespace ropelight::cuda {
+
+inline void check(cudaError_t code, const char* expression) {
+  if (code == cudaSuccess) return;
+  throw Error(fmt::format("CUDA: {} gave {}: {}", expression, cudaGetErrorName(code), cudaGetErrorString(code)),
+              ExitCode::internal);
+}
+
+}  // namespace ropelight::cuda
+
+#define RL_CUDA(expression) ::ropelight::cuda::check((expression), #expression)

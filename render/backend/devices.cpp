@@ -1,0 +1,62 @@
+#include "render/backend/devices.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/info.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "render/core/error.h"
+
+namespace ropelight {
+namespace {
+
+std::string processorName() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind("model name", 0) == 0 && line.find(": ") != std::string::npos)
+      return line.substr(line.find(": ") + 2);
+  return "CPU";
+}
+
+}  // namespace
+
+DeviceInfo cpuDevice(int threads) {
+  static const std::string name = processorName();
+  DeviceInfo d;
+  d.backend = "cpu";
+  int const used = threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
+  d.name = fmt::format("{}, {} thread{}", name, used, used == 1 ? "" : "s");
+  d.memory = std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGESIZE));
+  d.usable = true;
+  return d;
+}
+
+#if !ROPELIGHT_CUDA
+std::vector<DeviceInfo> cudaDevices() { return {}; }
+#endif
+
+std::vector<DeviceInfo> listDevices() {
+  std::vector<DeviceInfo> all{cpuDevice(0)};
+  for (const DeviceInfo& d : cudaDevices()) all.push_back(d);
+  return all;
+}
+
+ChosenBackend chooseBackend(const BackendChoice& choice) {
+  if (choice.backend == "cpu") return {false, "CPU, as asked for"};
+  if (choice.backend != "auto" && choice.backend != "cuda")
+    throw Error(fmt::format("--backend: '{}' is not known; use auto, cuda or cpu", choice.backend), ExitCode::usage);
+  std::vector<DeviceInfo> const gpus = cudaDevices();
+  std::string problem = "this build has no CUDA; configure with a CUDA toolkit of version 12 or newer";
+  if (ROPELIGHT_CUDA) problem = "no NVIDIA GPU was found";
+  for (const DeviceInfo& d : gpus) {
+    if (d.usable && d.index == choice.gpu) return {true, fmt::format("GPU {}: {}", d.index, d.name)};
+    if (!d.usable || d.index == choice.gpu) problem = d.note;
+  }
+  if (!gpus.empty() && gpus.front().usable && choice.gpu >= int(gpus.size()))
+    problem = fmt::format("--gpu {}: there are {} GPUs, numbered from 0", choice.gpu, gpus.size());
+  if (choice.backend == "cuda") throw Error(fmt::format("--backend cuda: {}", problem), ExitCode::noDevice);
+  return {false, fmt::format("CPU: {}", problem)};
+}
+
+}  // namespace ropelight

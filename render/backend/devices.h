@@ -1,0 +1,23 @@
+#pragma once
+// Which devices there are and which one is taken.
+
+#include <string>
+#include <vector>
+
+#include "render/integrator/integrator.h"
+
+namespace ropelight {
+
+DeviceInfo cpuDevice(int threads);
+/// Empty where the program was built without CUDA; one unusable entry where the driver is missing or too old.
+std::vector<DeviceInfo> cudaDevices();
+
+struct ChosenBackend {
+  bool cuda = false;
+  std::string why;  ///< one sentence: what was taken and why
+};
+
+/// Throws Error (noDevice) where the one asked for cannot be used, usage where its name is unknown.
+ChosenBackend chooseBackend(const BackendChoice& choice);
+
+}  // namespace ropelight

@@ -1,0 +1,24 @@
+#pragma once
+// One maker for every backend × mode × kernel row; each is instantiated in a translation unit of its own.
+
+#include "render/integrator/prepare.h"
+#include "render/integrator/variants.h"
+
+namespace ropelight {
+
+using Maker = std::unique_ptr<Integrator> (*)(const Prepared&);
+
+/// The maker's name is make_<mode>_<row>.
+#define RL_DECLARE(mode, row) std::unique_ptr<Integrator> make_##mode##_##row(const Prepared&);
+#define RL_DECLARE_ROWS(mode) RL_DECLARE(mode, basic) RL_DECLARE(mode, full)
+
+namespace cpu {
+RL_MODES(RL_DECLARE_ROWS)
+}
+#if ROPELIGHT_CUDA
+namespace cuda {
+RL_MODES(RL_DECLARE_ROWS)
+}
+#endif
+
+}  // namespace ropelight

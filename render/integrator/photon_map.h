@@ -1,0 +1,140 @@
+#pragma once
+// The photons of one chunk: traced, stored, sorted into the grid.
+
+#include <algorithm>
+#include <bit>
+
+#include "render/integrator/base.h"
+#include "render/integrator/stages/bin_photons.h"
+#include "render/integrator/stages/trace_photons.h"
+
+namespace ropelight::RL_TARGET {
+
+/// How the photons of an iteration are divided and stored.
+struct PhotonPlan {
+  std::uint32_t paths = 0;  ///< of a chunk
+  std::uint32_t chunks = 1;
+  std::uint32_t stripe = 8;
+  std::uint32_t photonCapacity = 0;
+  std::uint32_t tailCapacity = 0;
+  std::uint32_t tableSize = 0;  ///< cells of the grid, a power of two
+
+  static constexpr std::uint64_t slotBytes = sizeof(PhotonPosition) + sizeof(PhotonPower);
+
+  std::uint64_t bytes() const {
+    std::uint64_t const slots = std::uint64_t(paths) * stripe + tailCapacity + photonCapacity;
+    return slots * slotBytes + std::uint64_t(photonCapacity) * 4 * sizeof(std::uint32_t) +
+           std::uint64_t(paths) * (2 * sizeof(DepositCount) + sizeof(std::uint32_t)) + std::uint64_t(tableSize) * 4;
+  }
+};
+
+/// The largest plan for `photons` paths that stays within `budget` bytes: fewer slots a path first, then more chunks.
+/// perPath: expected deposits of a path; tail: expected share of them beyond the stripe.
+inline PhotonPlan planPhotons(std::uint64_t photons, std::uint64_t budget, double perPath, double tailPerPath) {
+  PhotonPlan plan;
+  for (std::uint64_t chunks = 1;; chunks *= 2) {
+    std::uint64_t const paths = (photons + chunks - 1) / chunks;
+    plan.paths = std::uint32_t(paths);
+    plan.chunks = std::uint32_t((photons + paths - 1) / paths);
+    auto const room = [&](double each) { return std::uint32_t(std::min(4.0e9, double(paths) * each * 1.15 + 1024)); };
+    plan.photonCapacity = room(perPath);
+    plan.tailCapacity = room(tailPerPath);
+    plan.tableSize = std::bit_ceil(std::clamp(2 * plan.photonCapacity, 1u << 16, 1u << 26));
+    if (plan.bytes() <= budget || paths <= 1024) return plan;
+  }
+}
+
+template <class Backend, FeatureBits F>
+class PhotonMap {
+ public:
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+  /// Throws std::bad_alloc where the memory cannot be had.
+  void allocate(Backend& backend, const PhotonPlan& plan) {
+    plan_ = plan;
+    std::size_t const slots = std::size_t(plan.paths) * plan.stripe + plan.tailCapacity;
+    slotPositions_.allocate(backend, "photons", slots);
+    slotPowers_.allocate(backend, "photons", slots);
+    positions_.allocate(backend, "photons", plan.photonCapacity);
+    powers_.allocate(backend, "photons", plan.photonCapacity);
+    counts_.allocate(backend, "photon paths", plan.paths);
+    offsets_.allocate(backend, "photon paths", std::size_t(plan.paths) + 1);
+    longPaths_.allocate(backend, "photon paths", plan.paths);
+    for (auto* b : {&keys_, &slots_, &keyScratch_, &slotScratch_}) b->allocate(backend, "grid", plan.photonCapacity);
+    starts_.allocate(backend, "grid", std::size_t(plan.tableSize) + 1);
+  }
+
+  void release() {
+    for (auto* b : {&slotPositions_, &positions_}) b->release();
+    for (auto* b : {&slotPowers_, &powers_}) b->release();
+    for (auto* b : {&counts_, &offsets_}) b->release();
+    for (auto* b : {&longPaths_, &keys_, &slots_, &keyScratch_, &slotScratch_, &starts_}) b->release();
+  }
+
+  /// Traces paths [first, first + count) and leaves them in grid().
+  void build(Backend& backend, const FrameView& frame, Buffer<IterationState>& state, std::uint64_t first,
+             std::uint32_t count, Real pathsPerIteration, const FlatScene& scene, Real cellSize) {
+    PhotonStore const store = storeFor(count, state);
+    backend.forEach(count, TracePhotons<F>{frame, store, first, pathsPerIteration});
+    backend.exclusiveScan(counts_, offsets_, count);
+    backend.forEach(count, ListLongPaths{store});
+    backend.forEach(1, CheckRoom{store});
+    std::uint32_t const tails = std::min(count, plan_.tailCapacity);
+    backend.forEach(tails, TraceTails<F>{frame, store, first, pathsPerIteration});
+    layOut(scene, cellSize);
+    backend.forEach(count, WriteKeys{store, grid_});
+    backend.forEach(plan_.photonCapacity, PadKeys{store, grid_.cells});
+    backend.sortPairs(keys_, slots_, keyScratch_, slotScratch_, plan_.photonCapacity, std::bit_width(grid_.cells));
+    backend.forEach(plan_.photonCapacity + 1,
+                    OrderPhotons{store, grid_.cells, starts_.span(), positions_.span(), powers_.span()});
+  }
+
+  const PhotonGrid& grid() const { return grid_; }
+  const PhotonPlan& plan() const { return plan_; }
+
+ private:
+  PhotonStore storeFor(std::uint32_t count, Buffer<IterationState>& state) {
+    PhotonStore s;
+    s.paths = count;
+    s.stripe = plan_.stripe;
+    s.tailCapacity = plan_.tailCapacity;
+    s.photonCapacity = plan_.photonCapacity;
+    s.positions = slotPositions_.span();
+    s.powers = slotPowers_.span();
+    s.counts = counts_.span();
+    s.offsets = offsets_.span();
+    s.longPaths = longPaths_.span();
+    s.keys = keys_.span();
+    s.slots = slots_.span();
+    s.state = state.span();
+    return s;
+  }
+
+  /// Dense where every cell of the scene's bounds fits the table, else hashed.
+  void layOut(const FlatScene& scene, Real cellSize) {
+    Vec3d const extent = scene.bounds.extent();
+    double cells = 1;
+    for (int a = 0; a < 3; ++a) {
+      double const n = std::floor(extent[a] / double(cellSize)) + 2;
+      grid_.size[a] = int(std::min(n, 1073741824.0));
+      cells *= n;
+    }
+    grid_.origin = Vec3(scene.bounds.min);
+    grid_.inverseCell = 1 / cellSize;
+    grid_.dense = cells <= double(plan_.tableSize);
+    grid_.cells = grid_.dense ? std::uint32_t(cells) : plan_.tableSize;
+    grid_.starts = starts_.view();
+    grid_.positions = positions_.view();
+    grid_.powers = powers_.view();
+  }
+
+  PhotonPlan plan_;
+  PhotonGrid grid_;
+  Buffer<PhotonPosition> slotPositions_, positions_;
+  Buffer<PhotonPower> slotPowers_, powers_;
+  Buffer<DepositCount> counts_, offsets_;
+  Buffer<std::uint32_t> longPaths_, keys_, slots_, keyScratch_, slotScratch_, starts_;
+};
+
+}  // namespace ropelight::RL_TARGET

@@ -1,0 +1,107 @@
+#pragma once
+// `sppm`: stochastic progressive photon mapping (Hachisuka & Jensen 2009) with Knaus & Zwicker's independent iterations
+// (2011): each one estimates the image with its own photons and its own radius, and the film is their mean.
+
+#include "render/integrator/photon_map.h"
+#include "render/integrator/stages/gather.h"
+
+namespace ropelight::RL_TARGET {
+
+template <class Backend, FeatureBits F>
+class SppmIntegrator final : public IntegratorBase<Backend> {
+  using Base = IntegratorBase<Backend>;
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+ public:
+  explicit SppmIntegrator(const Prepared& p) : Base(p) {
+    if (!hasPhotons()) return;
+    points_.allocate(this->backend_, "gather points", this->frame_.slots());
+    std::uint64_t const mebibytes = p.settings.photonMemory;
+    budget_ = mebibytes > 0 ? mebibytes << 20 : this->backend_.memoryFree() / 4;
+    makeRoom(2.5, 0.1);
+  }
+
+  Stats stats() const override {
+    Stats s = Base::stats();
+    if (!hasPhotons()) return s;
+    s.photonPaths = s.iterations * this->prepared_.settings.photons;
+    s.chunks = map_.plan().chunks;
+    s.firstRadius = this->prepared_.settings.radius;
+    s.radius = radiusOf(std::max<std::uint64_t>(s.iterations, 1));
+    return s;
+  }
+
+ protected:
+  void iterate(std::uint64_t i) override {
+    this->backend_.forEach(this->frame_.slots(), TraceCamera<F>{this->frame_, this->radiance_.span(), points_.span()});
+    if (hasPhotons()) gatherPhotons(i);
+    this->commit();
+  }
+
+  void recover() override {
+    double const paths = double(map_.plan().paths);
+    makeRoom(std::max(perPath_, double(this->state_.photonsNeeded) / paths),
+             std::max(tailPerPath_, double(this->state_.tailNeeded) / paths));
+    this->clearHalt();
+  }
+
+ private:
+  bool hasPhotons() const { return (this->prepared_.features & feature::photons) != 0; }
+
+  double radiusOf(std::uint64_t iteration) const {
+    const FlatScene& flat = this->prepared_.flat;
+    double const spacing = flat.reach * 4 * double(machineEpsilon);  // below this, positions are not told apart
+    return gatherRadius(this->prepared_.settings.radius, this->prepared_.settings.alpha, iteration, spacing);
+  }
+
+  /// Room for what was seen, in more and smaller chunks as long as memory does not suffice.
+  void makeRoom(double perPath, double tailPerPath) {
+    perPath_ = perPath;
+    tailPerPath_ = tailPerPath;
+    map_.release();
+    for (;; budget_ /= 2) {
+      PhotonPlan const plan = planPhotons(this->prepared_.settings.photons, budget_, perPath, tailPerPath);
+      if (plan.chunks > 1 && (this->prepared_.features & feature::nearest))
+        throw Error("k-nearest gathering needs all photons of an iteration at once, and they do not fit into " +
+                        std::to_string(budget_ >> 20) + " MiB; use fewer --photons or -D gather=radius",
+                    ExitCode::outOfMemory);
+      try {
+        return map_.allocate(this->backend_, plan);
+      } catch (const std::bad_alloc&) {
+        map_.release();
+        if (plan.paths <= 1024) throw;
+      }
+    }
+  }
+
+  void gatherPhotons(std::uint64_t i) {
+    const Settings& s = this->prepared_.settings;
+    Real const radius = Real(radiusOf(i + 1));
+    const PhotonPlan& plan = map_.plan();
+    for (std::uint32_t chunk = 0; chunk < plan.chunks; ++chunk) {
+      std::uint64_t const first = std::uint64_t(chunk) * plan.paths;
+      std::uint32_t const count = std::uint32_t(std::min<std::uint64_t>(plan.paths, s.photons - first));
+      map_.build(this->backend_, this->frame_, this->stateBuffer_, i * s.photons + first, count, Real(s.photons),
+                 this->prepared_.flat, radius * Real(s.cellSize));
+      gather(radius);
+    }
+  }
+
+  void gather(Real radius) {
+    const Settings& s = this->prepared_.settings;
+    GatherView const view{map_.grid(), radius, s.maxDepth};
+    std::uint32_t const n = this->frame_.slots();
+    if (this->prepared_.features & feature::nearest)
+      this->backend_.forEach(n, GatherNearest{view, s.nearest, points_.view(), this->radiance_.span()});
+    else
+      this->backend_.forEach(n, GatherRadius{view, points_.view(), this->radiance_.span()});
+  }
+
+  PhotonMap<Backend, F> map_;
+  Buffer<GatherPoint> points_;
+  std::uint64_t budget_ = 0;
+  double perPath_ = 0, tailPerPath_ = 0;
+};
+
+}  // namespace ropelight::RL_TARGET

@@ -1,0 +1,52 @@
+#pragma once
+// What every stage of one iteration knows, and the order in which pixels are worked on.
+
+#include "accel/intersect.h"
+#include "render/camera/camera.h"
+#include "render/sampler/sampler.h"
+
+namespace ropelight::RL_TARGET {
+
+struct FrameView {
+  SceneView scene;
+  CameraView camera;
+  int width = 0, height = 0;
+  int sampler = 0;
+  int maxDepth = 0;  ///< edges of a whole path
+  std::uint64_t seed = 0;
+  std::uint32_t iteration = 0;  ///< from 0
+  bool shadowRays = true;       ///< direct light by shadow rays; else by photons
+  bool indirectOnly = false;
+
+  /// Slots for pixels, in tiles of 8×4 so that neighbours in memory and in a warp are neighbours in the image.
+  RL_HD std::uint32_t slots() const { return std::uint32_t((width + 7) / 8) * std::uint32_t((height + 3) / 4) * 32; }
+
+  /// False where the slot lies outside the image.
+  RL_HD bool pixelOf(std::uint32_t slot, int& x, int& y) const {
+    std::uint32_t const tile = slot / 32, lane = slot % 32;
+    std::uint32_t const across = std::uint32_t((width + 7) / 8);
+    x = int(8 * (tile % across) + (lane & 7));
+    y = int(4 * (tile / across) + (lane >> 3));
+    return x < width && y < height;
+  }
+
+  RL_HD Sampler cameraSampler(int x, int y) const {
+    return Sampler(sampler, seed, Stream::camera, std::uint32_t(y * width + x), iteration);
+  }
+
+  RL_HD Sampler photonSampler(std::uint64_t path) const {
+    return Sampler(sampler, seed, Stream::photon, std::uint32_t(path >> 32), std::uint32_t(path));
+  }
+
+  template <FeatureBits F>
+  RL_HD Ray cameraRay(int x, int y, Sampler& s) const {
+    Vec2 const jitter = s.next2();
+    if constexpr ((F & feature::lens) != 0) return camera.generate(Real(x) + jitter.x, Real(y) + jitter.y, s.next2());
+    return camera.generate(Real(x) + jitter.x, Real(y) + jitter.y);
+  }
+};
+
+/// The ray that leaves a surface along w, clear of the surface on w's side.
+RL_HD inline Ray leave(const Surface& s, Vec3 w) { return Ray{offsetRayOrigin(s.p, s.error, s.n, w), w, infinity}; }
+
+}  // namespace ropelight::RL_TARGET

@@ -1,0 +1,94 @@
+#pragma once
+// Camera rays through specular bounces to the first diffuse surface: emission on the way, direct light there, and the
+// point at which photons will be gathered.
+
+#include "render/integrator/stages/direct.h"
+
+namespace ropelight::RL_TARGET {
+
+/// n: unit normal on the side that is looked at. weight: throughput · f; zero where nothing is to be gathered.
+struct GatherPoint {
+  Vec3 p;
+  std::uint32_t edges;  ///< of the path from the camera to here
+  Vec3 n;
+  Rgb weight;
+};
+
+template <FeatureBits F>
+struct TraceCamera {
+  static constexpr const char* name = "TraceCamera";
+  static constexpr std::uint32_t grain = 512;
+
+  FrameView frame;
+  Span<Rgb> radiance;
+  Span<GatherPoint> points;  ///< empty where no photons are gathered
+
+  RL_HD void operator()(std::uint32_t slot, Tally& tally) const {
+    int x, y;
+    Rgb sum(0.0f);
+    GatherPoint point{};
+    if (frame.pixelOf(slot, x, y)) {
+      Sampler sampler = frame.cameraSampler(x, y);
+      Ray const ray = frame.cameraRay<F>(x, y, sampler);
+      sum = trace(ray, sampler, point, tally);
+    }
+    radiance[slot] = sum;
+    if (!points.empty()) points[slot] = point;
+  }
+
+ private:
+  RL_HD Rgb trace(Ray ray, Sampler& sampler, GatherPoint& point, Tally& tally) const {
+    Rgb sum(0.0f), throughput(1.0f);
+    Real radianceScale = 1;
+    for (int edges = 1; edges <= frame.maxDepth; ++edges) {
+      ++tally.rays;
+      Hit const hit = closestHit<F>(frame.scene, ray);
+      if (!hit.found()) return sum;
+      Surface const s = surfaceAt<F>(frame.scene, ray, hit);
+      if (!frame.indirectOnly) sum += throughput * emitted(frame.scene, s, -ray.direction);
+      bool goesOn = false;
+      visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
+        Frame const local(s.n);
+        Vec3 const wo = local.toLocal(-ray.direction);
+        if constexpr (std::decay_t<decltype(bsdf)>::specular) {
+          goesOn = bounce(bsdf, s, local, wo, sampler, throughput, radianceScale, edges, ray);
+        } else {
+          sum += throughput * arrive(bsdf, s, local, wo, sampler, edges, tally);
+          point = GatherPoint{s.p, std::uint32_t(edges), wo.z < 0 ? -s.n : s.n,
+                              throughput * bsdf.eval(wo, Vec3(0, 0, copysign(Real(1), wo.z)))};
+        }
+      });
+      if (!goesOn) return sum;
+    }
+    if (frame.maxDepth == hardDepthLimit) ++tally.truncated;
+    return sum;
+  }
+
+  template <class Bsdf>
+  RL_HD Rgb arrive(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler, int edges,
+                   Tally& tally) const {
+    if constexpr ((F & feature::lights) == 0) return Rgb(0.0f);
+    if (!frame.shadowRays || frame.indirectOnly || frame.scene.lights.empty() || edges >= frame.maxDepth)
+      return Rgb(0.0f);
+    return directLight<F>(frame, s, local, bsdf, wo, sampler, false, tally);
+  }
+
+  /// False where Russian roulette ends a long chain of absorbing bounces.
+  template <class Bsdf>
+  RL_HD static bool bounce(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler,
+                           Rgb& throughput, Real& radianceScale, int edges, Ray& ray) {
+    Vec2 const u = sampler.next2();
+    BsdfSample const b = bsdf.sample(wo, u.x, Vec2(0), Transport::radiance);
+    throughput *= b.weight;
+    radianceScale *= b.radianceScale;
+    Real const survival = minOf(Real(1), Real(maxComponent(throughput)) / radianceScale);
+    if (edges > 8 && survival < 1) {
+      if (u.y >= survival) return false;
+      throughput *= float(1 / survival);
+    }
+    ray = leave(s, normalize(local.toWorld(b.wi)));
+    return !isBlack(throughput);
+  }
+};
+
+}  // namespace ropelight::RL_TARGET

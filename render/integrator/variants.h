@@ -1,0 +1,37 @@
+#pragma once
+// The kernels that are compiled: rows of features, small to large. The first row that covers a scene is taken; the last
+// covers everything, so that correctness never depends on this table.
+
+#include <string>
+
+#include "render/core/features.h"
+
+#define RL_MODES(X) X(ray) X(path) X(sppm)
+#define RL_ROWS(X) X(basic) X(full)
+
+namespace ropelight {
+
+struct KernelRow {
+  const char* name;
+  FeatureBits covers;
+};
+
+namespace row {
+/// Boxes, quads and spheres, tested one by one, seen through a pinhole.
+inline constexpr FeatureBits basic = feature::all & ~(feature::triangles | feature::tree | feature::lens);
+inline constexpr FeatureBits full = feature::all;
+}  // namespace row
+
+inline constexpr KernelRow kernelRows[] = {
+#define RL_ROW(name) {#name, row::name},
+    RL_ROWS(RL_ROW)
+#undef RL_ROW
+};
+
+inline const KernelRow& rowFor(FeatureBits features) {
+  for (const KernelRow& r : kernelRows)
+    if ((features & ~r.covers) == 0) return r;
+  return kernelRows[std::size(kernelRows) - 1];
+}
+
+}  // namespace ropelight

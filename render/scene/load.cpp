@@ -1,0 +1,45 @@
+#include "render/scene/load.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/core/error.h"
+#include "render/scene/json_scene.h"
+#include "render/scene/obj_scene.h"
+#include "render/scene/suggest.h"
+
+namespace ropelight {
+namespace {
+
+struct Format {
+  const char* extension;
+  Scene (*load)(const std::filesystem::path&);
+};
+
+constexpr Format formats[] = {{".json", loadJsonScene}, {".obj", loadObjScene}};
+
+char lowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+}  // namespace
+
+std::vector<std::string> sceneExtensions() {
+  std::vector<std::string> extensions;
+  for (const Format& format : formats) extensions.push_back(format.extension);
+  return extensions;
+}
+
+Scene loadScene(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), lowerCase);
+  for (const Format& format : formats) {
+    if (extension != format.extension) continue;
+    Scene scene = format.load(path);
+    validateScene(scene);
+    return scene;
+  }
+  throw Error(fmt::format("{}: \"{}\" is no known scene format; expected one of {}", path.string(), extension,
+                          joinNames(sceneExtensions())));
+}
+
+}  // namespace ropelight

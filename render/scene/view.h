@@ -1,0 +1,142 @@
+#pragma once
+// What kernels see of a scene: spans of plain data.
+
+#include <cstring>
+
+#include "accel/kd_tree.h"
+#include "accel/primitives.h"
+#include "render/bsdf/bsdfs.h"
+#include "render/core/span.h"
+#include "render/light/side.h"
+
+namespace ropelight::RL_TARGET {
+
+/// A BSDF of any kind; `kind` is its index in Bsdfs.
+struct Material {
+  std::uint32_t kind = 0;
+  float data[11] = {};
+};
+
+/// A diffuse emitter. side: bits of ropelight::Side. pick: probability that light sampling chooses it, ∝ power.
+struct Light {
+  std::uint32_t primitive = 0;
+  std::uint32_t side = 1;
+  Rgb radiance{0.0f};
+  Real area = 0;  ///< of one side
+  Real pick = 0;
+};
+
+struct SceneView {
+  Span<const Quad> quads;
+  Span<const Sphere> spheres;
+  Span<const Triangle> triangles;
+  Span<const std::uint32_t> material;  ///< by primitive
+  Span<const std::int32_t> lightOf;    ///< by quad and sphere; −1: none
+  Span<const Material> materials;
+  Span<const Light> lights;
+  Span<const Real> lightCdf;  ///< inclusive sums of Light::pick
+  Real power = 0;             ///< of all lights: mean over the channels, watts
+  std::uint32_t primitiveCount = 0;
+  KdTreeView tree;
+};
+
+template <class T>
+RL_HD inline bool isKind(const Material& m) {
+  return m.kind == std::uint32_t(Bsdfs::indexOf<T>());
+}
+
+namespace detail {
+
+template <FeatureBits F, class T, class Visit>
+RL_HD inline void visitOne(const Material& m, Visit& visit) {
+  if constexpr ((F & T::bit) != 0) {
+    if (!isKind<T>(m)) return;
+    static_assert(sizeof(T) <= sizeof(m.data));
+    T bsdf;
+    std::memcpy(&bsdf, m.data, sizeof(T));
+    visit(bsdf);
+  }
+}
+
+template <FeatureBits F, class Visit, class... Ts>
+RL_HD inline void visitAll(const Material& m, Visit& visit, List<Ts...>) {
+  (visitOne<F, Ts>(m, visit), ...);
+}
+
+}  // namespace detail
+
+/// Calls visit(bsdf) with the material's own type; kinds that F leaves out are not compiled in.
+template <FeatureBits F, class Visit>
+RL_HD inline void visitBsdf(const Material& m, Visit&& visit) {
+  detail::visitAll<F>(m, visit, Bsdfs{});
+}
+
+/// A point on a surface. n: unit outward geometric normal; error: bound on |computed − true| by axis.
+struct Surface {
+  Vec3 p{0}, error{0}, n{0, 0, 1};
+  std::uint32_t primitive = noPrimitive;
+  std::uint32_t material = 0;
+  std::int32_t light = -1;
+};
+
+RL_HD inline Vec3 normalOf(const Quad& q) { return normalize(cross(q.b - q.a, q.d - q.a)); }
+
+RL_HD inline void placeOn(const Quad& q, Real s, Real t, Surface& out) {
+  Vec3 const e1 = q.b - q.a, e2 = q.d - q.a;
+  out.p = q.a + e1 * s + e2 * t;
+  out.error = gammaBound(8) * (absolute(q.a) + absolute(e1) + absolute(e2));
+  out.n = normalOf(q);
+}
+
+/// `local`: a point near the unit sphere; it is moved onto it.
+RL_HD inline void placeOn(const Sphere& s, Vec3 local, Surface& out) {
+  local = normalize(local);
+  Vec3 const r = s.toWorld * local;
+  Vec3 const bound = absolute(s.toWorld[0]) + absolute(s.toWorld[1]) + absolute(s.toWorld[2]);
+  out.p = s.center + r;
+  out.error = gammaBound(10) * (absolute(s.center) + bound);
+  out.n = normalize(transpose(s.toObject) * local);
+}
+
+RL_HD inline void placeOn(const Triangle& t, Real u, Real v, Surface& out) {
+  Vec3 const e1 = t.b - t.a, e2 = t.c - t.a;
+  out.p = t.a + e1 * u + e2 * v;
+  out.error = gammaBound(8) * (absolute(t.a) + absolute(e1) + absolute(e2));
+  out.n = normalize(cross(e1, e2));
+}
+
+template <FeatureBits F>
+RL_HD inline Surface surfaceAt(const SceneView& scene, const Ray& ray, const Hit& hit) {
+  Surface out;
+  std::uint32_t id = hit.primitive;
+  out.primitive = id;
+  out.material = scene.material[id];
+  if (id < scene.lightOf.size) out.light = scene.lightOf[id];
+  if constexpr ((F & feature::quads) != 0) {
+    if (id < scene.quads.size) {
+      placeOn(scene.quads[id], hit.u, hit.v, out);
+      return out;
+    }
+  }
+  id -= scene.quads.size;
+  if constexpr ((F & feature::spheres) != 0) {
+    if (id < scene.spheres.size) {
+      const Sphere& s = scene.spheres[id];
+      placeOn(s, s.toObject * (ray.origin - s.center) + (s.toObject * ray.direction) * hit.t, out);
+      return out;
+    }
+  }
+  id -= scene.spheres.size;
+  if constexpr ((F & feature::triangles) != 0) placeOn(scene.triangles[id], hit.u, hit.v, out);
+  return out;
+}
+
+/// Radiance that a surface emits towards w (unit, away from it).
+RL_HD inline Rgb emitted(const SceneView& scene, const Surface& s, Vec3 w) {
+  if (s.light < 0) return Rgb(0.0f);
+  const Light& light = scene.lights[std::uint32_t(s.light)];
+  std::uint32_t const side = dot(w, s.n) > 0 ? std::uint32_t(Side::out) : std::uint32_t(Side::in);
+  return (light.side & side) != 0 ? light.radiance : Rgb(0.0f);
+}
+
+}  // namespace ropelight::RL_TARGET

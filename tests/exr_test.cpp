@@ -1,0 +1,236 @@
+// OpenEXR files: exact round trips, files of others, damaged files.
+
+#include "render/film/exr.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfTiledRgbaFile.h>
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "render/core/error.h"
+#include "render/film/metrics.h"
+#include "tests/outside_tool.h"
+#include "tests/temporary_folder.h"
+
+using namespace ropelight;
+
+namespace {
+
+/// Every pixel and channel different, all exact in half precision: x + y/16, and its negative, and 64 more.
+Image gradient(int width, int height) {
+  Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float value = float(x) + float(y) / 16.0f;
+      image.at(x, y) = Rgb(value, -value, value + 64.0f);
+    }
+  return image;
+}
+
+std::vector<Imf::Rgba> toRgba(const Image& image) {
+  std::vector<Imf::Rgba> result;
+  for (Rgb p : image.pixels) result.emplace_back(p.x, p.y, p.z);
+  return result;
+}
+
+bool sameBits(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height &&
+         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(Rgb)) == 0;
+}
+
+/// The image as another program would write it: half floats, with the data window's corner at `origin`.
+void writeHalf(const std::filesystem::path& path, const Image& image, Imf::RgbaChannels channels, Imath::V2i origin) {
+  const Imath::Box2i window(origin, origin + Imath::V2i(image.width - 1, image.height - 1));
+  const std::vector<Imf::Rgba> pixels = toRgba(image);
+  Imf::RgbaOutputFile file(path.c_str(), Imath::Box2i({0, 0}, {99, 99}), window, channels);
+  file.setFrameBuffer(pixels.data() - origin.x - std::ptrdiff_t(origin.y) * image.width, 1, std::size_t(image.width));
+  file.writePixels(image.height);
+}
+
+void writeTiled(const std::filesystem::path& path, const Image& image) {
+  const std::vector<Imf::Rgba> pixels = toRgba(image);
+  Imf::TiledRgbaOutputFile file(path.c_str(), image.width, image.height, 8, 8, Imf::ONE_LEVEL);
+  file.setFrameBuffer(pixels.data(), 1, std::size_t(image.width));
+  file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+}
+
+}  // namespace
+
+TEST_CASE("An EXR keeps every bit of every float") {
+  using Limits = std::numeric_limits<float>;
+  Image image = gradient(37, 21);
+  image.at(0, 0) = Rgb(Limits::denorm_min(), -0.0f, Limits::max());
+  image.at(1, 0) = Rgb(Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity());
+  image.at(2, 0) = Rgb(0.1f, 1.0f / 3.0f, 1e-30f);
+  TemporaryFolder folder;
+  writeExr(folder / "a.exr", image);
+  CHECK(sameBits(readExr(folder / "a.exr"), image));
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("Metadata comes back exactly, in alphabetical order") {
+  const Metadata metadata = {{"capDate", "2024:02:29 12:00:00"},
+                             {"comments", "a Cornell box; r² = 0.1 m²"},
+                             {"alpha", 2.0 / 3.0},
+                             {"iterations", std::int64_t(2147483647)},
+                             {"mode", "sppm"},
+                             {"seed", std::int64_t(-2147483648)}};
+  Metadata expected = metadata;
+  expected.push_back({"photons", "9007199254740993"});
+  std::swap(expected[5], expected[6]);  // between mode and seed
+  Metadata given = metadata;
+  given.push_back({"photons", std::int64_t(9007199254740993)});  // 2⁵³ + 1 fits neither int nor double
+  TemporaryFolder folder;
+  writeExr(folder / "a.exr", gradient(2, 2), given);
+  Metadata found = readExrMetadata(folder / "a.exr");
+  std::erase_if(found, [](const auto& entry) {
+    return entry.first == "pixelAspectRatio" || entry.first == "screenWindowWidth" || entry.first == "type";
+  });
+  CHECK(found == expected);
+}
+
+TEST_CASE("The EXR header says ZIP, 32-bit floats, Rec. 709 and names our settings") {
+  TemporaryFolder folder;
+  writeExr(folder / "a.exr", gradient(3, 2), {{"mode", "path"}, {"comments", "c"}});
+  Imf::InputFile file((folder / "a.exr").c_str());
+  const Imf::Header& header = file.header();
+  CHECK(header.compression() == Imf::ZIP_COMPRESSION);
+  for (const char* channel : {"R", "G", "B"}) {
+    REQUIRE(header.channels().findChannel(channel) != nullptr);
+    CHECK(header.channels().findChannel(channel)->type == Imf::FLOAT);
+  }
+  REQUIRE(Imf::hasChromaticities(header));
+  CHECK(Imf::chromaticities(header).red == Imath::V2f(0.64f, 0.33f));
+  CHECK(Imf::chromaticities(header).white == Imath::V2f(0.3127f, 0.3290f));
+  CHECK(Imf::comments(header) == "c");
+  CHECK(header.find("ropelight.mode") != header.end());
+}
+
+TEST_CASE("OpenEXR's own reader finds row 0 at the top and column 0 at the left") {
+  TemporaryFolder folder;
+  writeExr(folder / "a.exr", gradient(5, 4));
+  Imf::RgbaInputFile file((folder / "a.exr").c_str());
+  std::vector<Imf::Rgba> pixels(20);
+  file.setFrameBuffer(pixels.data(), 1, 5);
+  file.readPixels(0, 3);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 5; ++x) {
+      const Imf::Rgba pixel = pixels[std::size_t(y * 5 + x)];
+      CHECK(float(pixel.r) == float(x) + float(y) / 16.0f);
+      CHECK(float(pixel.g) == -(float(x) + float(y) / 16.0f));
+      CHECK(float(pixel.b) == float(x) + float(y) / 16.0f + 64.0f);
+    }
+}
+
+TEST_CASE("Half floats, tiles and data windows anywhere read the same") {
+  const Image image = gradient(19, 13);
+  TemporaryFolder folder;
+  for (const Imath::V2i& origin : {Imath::V2i(0, 0), Imath::V2i(7, 40), Imath::V2i(-30, -5)}) {
+    writeHalf(folder / "half.exr", image, Imf::WRITE_RGBA, origin);
+    CHECK(sameBits(readExr(folder / "half.exr"), image));
+  }
+  writeTiled(folder / "tiled.exr", image);
+  CHECK(sameBits(readExr(folder / "tiled.exr"), image));
+}
+
+TEST_CASE("Luminance alone reads as grey, and other sets of channels are refused by name") {
+  Image image(4, 3);
+  for (int x = 0; x < 4; ++x) image.at(x, 2) = Rgb(float(x));
+  TemporaryFolder folder;
+  writeHalf(folder / "y.exr", image, Imf::WRITE_Y, {0, 0});
+  const Image grey = readExr(folder / "y.exr");
+  CHECK(grey.at(3, 2).x == doctest::Approx(3.0f).epsilon(1e-3));
+  CHECK(grey.at(3, 2).y == grey.at(3, 2).x);
+  CHECK(grey.at(3, 2).z == grey.at(3, 2).x);
+  CHECK(grey.at(3, 0).x == 0.0f);
+
+  const auto refused = [&](Imf::RgbaChannels channels, const std::string& found) {
+    writeHalf(folder / "odd.exr", image, channels, {0, 0});
+    CHECK_THROWS_WITH_AS(readExr(folder / "odd.exr"),
+                         ((folder / "odd.exr").string() + ": channels: expected R, G and B, or Y alone, found " +
+                          found + "; write the image with these names")
+                             .c_str(),
+                         Error);
+  };
+  refused(Imf::RgbaChannels(Imf::WRITE_R | Imf::WRITE_G), "G, R");
+  refused(Imf::WRITE_A, "A");
+  writeHalf(folder / "chroma.exr", Image(4, 4), Imf::WRITE_YC, {0, 0});
+  CHECK_THROWS_AS(readExr(folder / "chroma.exr"), Error);
+}
+
+TEST_CASE("Files that are missing, of another kind or cut short are refused") {
+  TemporaryFolder folder;
+  const std::string missing = (folder / "missing.exr").string();
+  CHECK_THROWS_WITH_AS(readExr(missing),
+                       (missing + ": cannot be opened: No such file or directory; give a readable .exr file").c_str(),
+                       Error);
+  putBytes(folder / "text.exr", "not a picture");
+  CHECK_THROWS_AS(readExr(folder / "text.exr"), Error);
+  CHECK_THROWS_AS(readExr(folder.path()), Error);
+
+  writeExr(folder / "whole.exr", gradient(16, 40), {{"mode", "sppm"}});
+  const std::string bytes = fileBytes(folder / "whole.exr");
+  for (std::size_t length = 0; length < bytes.size(); length += length < bytes.size() - 20 ? 13 : 1) {
+    putBytes(folder / "cut.exr", bytes.substr(0, length));
+    CHECK_THROWS_AS_MESSAGE(readExr(folder / "cut.exr"), Error, "cut to " << length << " bytes");
+  }
+}
+
+TEST_CASE("A header that claims too many pixels is refused before they are allocated") {
+  TemporaryFolder folder;
+  {
+    Imf::Header header(30000, 30000);
+    for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    Imf::OutputFile file((folder / "huge.exr").c_str(), header);
+  }
+  CHECK_THROWS_WITH_AS(readExr(folder / "huge.exr"),
+                       ((folder / "huge.exr").string() +
+                        ": dataWindow: 30000 x 30000 pixels, expected 1 to 268435456 in all; crop or shrink the image")
+                           .c_str(),
+                       Error);
+}
+
+TEST_CASE("An EXR that cannot be written leaves what was there") {
+  TemporaryFolder folder;
+  putBytes(folder / "old.exr", "precious");
+  CHECK_THROWS_AS(writeExr(folder / "old.exr", Image()), Error);
+  CHECK_THROWS_AS(writeExr(folder / "old.exr/out.exr", gradient(2, 2)), Error);
+  CHECK(fileBytes(folder / "old.exr") == "precious");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("The shared reference image reads with its stated means") {
+  const std::filesystem::path path =
+      std::filesystem::path(ROPELIGHT_SHARED_DATA) / "references/box-spheres-diffuse.exr";
+  if (!std::filesystem::exists(path)) {
+    MESSAGE("skipped: no " << path.string());
+    return;
+  }
+  const Image image = readExr(path);
+  REQUIRE(image.width == 512);
+  REQUIRE(image.height == 512);
+  const Metrics metrics = compareImages(image, image);
+  const double expected[] = {0.36065, 0.35793, 0.27986};
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    CHECK(metrics.mean[channel] == doctest::Approx(expected[channel]).epsilon(2e-5));
+}
+
+TEST_CASE("oiiotool sees the EXR's pixels where we put them") {
+  if (!toolOnPath("oiiotool")) {
+    MESSAGE("skipped: oiiotool is not on PATH");
+    return;
+  }
+  TemporaryFolder folder;
+  writeExr(folder / "a.exr", gradient(3, 2));
+  const std::string dump = toolOutput("oiiotool --dumpdata " + (folder / "a.exr").string());
+  CHECK(dump.find("Pixel (0, 0): 0.000000000 -0.000000000 64.000000000") != std::string::npos);
+  CHECK(dump.find("Pixel (2, 0): 2.000000000 -2.000000000 66.000000000") != std::string::npos);
+  CHECK(dump.find("Pixel (0, 1): 0.062500000 -0.062500000 64.062500000") != std::string::npos);
+}
