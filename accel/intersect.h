@@ -11,7 +11,7 @@ RL_HD inline void intersectPrimitive(const SceneView& scene, const Ray& ray, con
                                      Hit& hit) {
   std::uint32_t k = id;
   if constexpr ((F & feature::quads) != 0) {
-    if (k < scene.quads.size) return intersect(scene.quads[k], shear, id, hit);
+    if (k < scene.quads.size) return intersect(scene.quads[k], ray, shear, id, hit);
   }
   k -= scene.quads.size;
   if constexpr ((F & feature::spheres) != 0) {
@@ -29,7 +29,7 @@ RL_HD inline Hit closestHitBruteForce(const SceneView& scene, const Ray& ray) {
   RayShear const shear(ray);
   std::uint32_t id = 0;
   if constexpr ((F & feature::quads) != 0)
-    for (std::uint32_t k = 0; k < scene.quads.size; ++k) intersect(scene.quads[k], shear, id++, hit);
+    for (std::uint32_t k = 0; k < scene.quads.size; ++k) intersect(scene.quads[k], ray, shear, id++, hit);
   if constexpr ((F & feature::spheres) != 0)
     for (std::uint32_t k = 0; k < scene.spheres.size; ++k) intersect(scene.spheres[k], ray, id++, hit);
   if constexpr ((F & feature::triangles) != 0)

@@ -59,8 +59,8 @@ struct PhotonGrid {
   Span<const PhotonPower> powers;
 
   RL_HD int cellOf(Real x, int axis) const {
-    Real const c = floor((x - origin[axis]) * inverseCell);
-    return int(minOf(maxOf(c, Real(0)), Real(size[axis] - 1)));
+    Real const c = (x - origin[axis]) * inverseCell;
+    return int(minOf(maxOf(c, Real(0)), Real(size[axis] - 1)));  // truncation is the floor of what is left
   }
 
   /// Table entry of the cell (0, y, z); cells of the row follow it, modulo the table.

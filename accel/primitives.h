@@ -5,9 +5,11 @@
 
 namespace ropelight::RL_TARGET {
 
-/// A parallelogram a, b, c, d in order around it, with normal (b − a) × (d − a). Boxes share corners bit for bit.
+/// A parallelogram a, b, c, d in order around it, with unit normal n ∥ (b − a) × (d − a). Boxes share corners bit for
+/// bit.
 struct Quad {
   Vec3 a, b, c, d;
+  Vec3 n;
 };
 
 /// The image of the unit sphere under x ↦ toWorld·x + center.
@@ -79,19 +81,24 @@ RL_HD inline void intersect(const Triangle& triangle, const RayShear& shear, std
   if (hitTriangle(p, q, r, u, v, w, hit, id, t, inverse)) hit = Hit{t, id, v * inverse, w * inverse};
 }
 
-/// As two triangles whose diagonal is tested once; u, v: coordinates along b − a and d − a.
-RL_HD inline void intersect(const Quad& quad, const RayShear& shear, std::uint32_t id, Hit& hit) {
+/// The plane's distance first, which rules out most quads; then the watertight test of the four edges. u, v:
+/// coordinates along b − a and d − a, from the half of the quad that the ray meets.
+RL_HD inline void intersect(const Quad& quad, const Ray& ray, const RayShear& shear, std::uint32_t id, Hit& hit) {
+  Vec3 const toPlane = quad.a - ray.origin;
+  Real const inverse = 1 / dot(quad.n, ray.direction);
+  Real const t = dot(quad.n, toPlane) * inverse;
+  if (!(t > 0) || !hit.improvedBy(t, id)) return;
+  // Rounding of the dot product, of the normal and of the corners: within it the ray starts on the plane.
+  if (t <= gammaBound(10) * dot(absolute(quad.n), absolute(toPlane)) * abs(inverse)) return;
   Vec3 const a = shear(quad.a), b = shear(quad.b), c = shear(quad.c), d = shear(quad.d);
   Real const ab = edge(b, a), bc = edge(c, b), cd = edge(d, c), da = edge(a, d);
   Real const highest = maxOf(maxOf(ab, bc), maxOf(cd, da));
   if (mixedSigns(minOf(minOf(ab, bc), minOf(cd, da)), highest)) return;
   Real const ac = edge(a, c);
-  Real t, inverse;
-  if (highest > 0 ? ac >= 0 : ac <= 0) {
-    if (hitTriangle(a, b, c, bc, ac, ab, hit, id, t, inverse)) hit = Hit{t, id, (ac + ab) * inverse, ab * inverse};
-  } else {
-    if (hitTriangle(a, c, d, cd, da, -ac, hit, id, t, inverse)) hit = Hit{t, id, da * inverse, (da - ac) * inverse};
-  }
+  bool const firstHalf = highest > 0 ? ac >= 0 : ac <= 0;
+  Real const det = firstHalf ? ab + bc + ac : cd + da - ac;
+  if (det == 0) return;
+  hit = firstHalf ? Hit{t, id, (ac + ab) / det, ab / det} : Hit{t, id, da / det, (da - ac) / det};
 }
 
 /// Roots of |o + t d|² = 1 without cancellation (Haines et al. 2019, Ray Tracing Gems, ch. 7).

@@ -17,10 +17,8 @@ preset="$(default_preset)"
 build "$preset" ropelight
 ropelight="$root/build/$preset/ropelight"
 
-has_display() { [[ -n ${DISPLAY:-} || -n ${WAYLAND_DISPLAY:-} ]]; }
-has_viewer() { "$ropelight" view --help 2>/dev/null | grep -q 'ropelight view'; }
-
 # given NAME…: whether one of these options is among the script's own.
+options=("$@")
 given() {
   local name argument
   for name in "$@"; do
@@ -31,12 +29,16 @@ given() {
   return 1
 }
 
-options=("$@")
-if has_display && has_viewer; then
-  exec "$ropelight" view "$scene" "${options[@]}"
+why="there is no display"
+if given -o --output --iterations --time --json --quiet; then
+  why="the options ask for it"
+elif [[ -n ${DISPLAY:-} || -n ${WAYLAND_DISPLAY:-} ]]; then
+  status=0
+  "$ropelight" view "$scene" "${options[@]}" || status=$?
+  ((status == 4)) || exit "$status"  # 4: no usable device or display
+  why="no window could be opened"
 fi
 
-if has_display; then why="this version has no viewer"; else why="there is no display"; fi
 given --time --iterations || options+=(--time 20)
 given -o --output || options+=(-o out.png -o out.exr)
 echo "run: $why, so the scene is rendered to files: ropelight render $scene ${options[*]}"

@@ -2,9 +2,9 @@
 // CUDA calls that cannot fail unless we did something wrong, and allocations that may.
 
 #include <cuda_runtime.h>
-#include <fmt/format.h>
 
 #include <new>
+#include <string>
 
 #include "render/core/error.h"
 
@@ -12,7 +12,7 @@ namespace ropelight::cuda {
 
 inline void check(cudaError_t code, const char* expression) {
   if (code == cudaSuccess) return;
-  throw Error(fmt::format("CUDA: {} gave {}: {}", expression, cudaGetErrorName(code), cudaGetErrorString(code)),
+  throw Error(std::string("CUDA: ") + expression + " gave " + cudaGetErrorName(code) + ": " + cudaGetErrorString(code),
               ExitCode::internal);
 }
 

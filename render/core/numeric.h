@@ -24,18 +24,14 @@ RL_HD inline Real maxAbs(Vec3 v) { return maxOf(maxOf(abs(v.x), abs(v.y)), abs(v
 RL_HD inline Vec3 absolute(Vec3 v) { return Vec3(abs(v.x), abs(v.y), abs(v.z)); }
 RL_HD inline Real lengthSquared(Vec3 v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
-/// The neighbouring floating-point number away from zero in the direction of `sign`; infinities stay.
-RL_HD inline Real nextToward(Real x, Real sign) { return nextafter(x, sign > 0 ? infinity : -infinity); }
-
 /// Moves a computed surface point off its surface to the side of w, past the bound on its error (pbrt-3, §3.9.5).
 /// p, error in scene units; n unit length.
 RL_HD inline Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 n, Vec3 w) {
   Real distance = dot(absolute(n), error);
   Vec3 offset = n * (dot(w, n) < 0 ? -distance : distance);
-  Vec3 o = p + offset;
-  for (int a = 0; a < 3; ++a)
-    if (offset[a] != 0) o[a] = nextToward(o[a], offset[a]);
-  return o;
+  Vec3 const o = p + offset;
+  Vec3 const rounding = (2 * machineEpsilon) * absolute(o);  // at least one step of each coordinate
+  return o + Vec3(copysign(rounding.x, offset.x), copysign(rounding.y, offset.y), copysign(rounding.z, offset.z));
 }
 
 }  // namespace ropelight::RL_TARGET

@@ -21,7 +21,7 @@ struct QuadLight {
   RL_HD static Real pdfToward(const Quad& quad, Real area, Vec3 from, Vec3 p) {
     Vec3 const d = p - from;
     Real const distance2 = lengthSquared(d);
-    Real const cosine = abs(dot(normalOf(quad), d));  // times the distance
+    Real const cosine = abs(dot(quad.n, d));  // times the distance
     return cosine > 0 ? distance2 * sqrt(distance2) / (cosine * area) : Real(0);
   }
 };

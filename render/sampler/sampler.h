@@ -21,20 +21,26 @@ class Sampler {
         path_(path),
         index_(index),
         key0_(std::uint32_t(seed) ^ std::uint32_t(stream)),
-        key1_(std::uint32_t(seed >> 32)) {}
+        key1_(std::uint32_t(seed >> 32)),
+        scramble_(hashCombine(hashCombine(key0_, key1_), path)) {}
 
   /// Two numbers in [0, 1) of the next dimension.
   RL_HD Vec2 next2() {
     std::uint32_t const d = dimension_++;
     if (independent_) return IndependentSampler::sample(index_, path_, d, key0_, key1_);
-    return SobolSampler::sample(index_, hashCombine(hashCombine(key0_, key1_) + d, path_));
+    return SobolSampler::sample(index_, hash32(scramble_ + d * 0x9E3779B9u));
   }
 
-  RL_HD Real next1() { return next2().x; }
+  /// One number of the next dimension.
+  RL_HD Real next1() {
+    if (independent_) return next2().x;
+    return SobolSampler::sample1(index_, hash32(scramble_ + dimension_++ * 0x9E3779B9u));
+  }
 
  private:
   bool independent_;
   std::uint32_t path_, index_, key0_, key1_;
+  std::uint32_t scramble_;  ///< names the path's scramblings
   std::uint32_t dimension_ = 0;
 };
 

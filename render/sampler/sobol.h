@@ -32,10 +32,20 @@ struct SobolSampler {
 
   /// Point `index` of the sequence that `seed` names; different seeds are independent scramblings.
   RL_HD static Vec2 sample(std::uint32_t index, std::uint32_t seed) {
-    std::uint32_t const i = reverseBits(scrambleReversed(reverseBits(index), hash32(seed)));
-    std::uint32_t const x = reverseBits(scrambleReversed(i, hash32(seed ^ 0x9E3779B9u)));
-    std::uint32_t const y = reverseBits(scrambleReversed(pascal(i), hash32(seed ^ 0x85EBCA6Bu)));
-    return Vec2(toUnit(x), toUnit(y));
+    std::uint32_t const i = shuffle(index, seed);
+    return Vec2(toUnit(reverseBits(scrambleReversed(i, seed * 0x9E3779B1u + 0x7F4A7C15u))),
+                toUnit(reverseBits(scrambleReversed(pascal(i), seed * 0x85EBCA77u + 0xC2B2AE3Du))));
+  }
+
+  /// Its first coordinate alone.
+  RL_HD static Real sample1(std::uint32_t index, std::uint32_t seed) {
+    return toUnit(reverseBits(scrambleReversed(shuffle(index, seed), seed * 0x9E3779B1u + 0x7F4A7C15u)));
+  }
+
+ private:
+  /// Owen scrambling of the index itself keeps every aligned block of 2ᵏ points together.
+  RL_HD static std::uint32_t shuffle(std::uint32_t index, std::uint32_t seed) {
+    return reverseBits(scrambleReversed(reverseBits(index), seed));
   }
 };
 

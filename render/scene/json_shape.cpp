@@ -101,10 +101,7 @@ ShapeDesc readShape(const JsonNode& node, Scene& scene, const std::vector<std::s
   shape.material = static_cast<int>(node.at("material").choice("material", materials));
   auto const transform = node.find("transform");
   shape.toWorld = transformed(transform ? readTransform(*transform) : Mat4d(1.0), type.place(node), type.kind);
-  auto const emission = node.find("emission");
-  if (emission && type.kind == ShapeKind::mesh)
-    emission->fail("a mesh cannot emit light; give the emission to a sphere, box or quad");
-  if (emission) shape.emission = readEmission(*emission);
+  if (auto emission = node.find("emission")) shape.emission = readEmission(*emission);
   if (type.kind == ShapeKind::mesh) shape.mesh = readMesh(node, scene);
   return shape;
 }

@@ -64,6 +64,13 @@ bool isFiniteNumber(std::string_view word) {
   return problem == std::errc() && end == word.data() + word.size() && std::isfinite(value);
 }
 
+/// i, i/j, i//k or i/j/k, with i within the range of int.
+bool isCorner(std::string_view word) {
+  int index = 0;
+  auto const [end, problem] = std::from_chars(word.data(), word.data() + word.size(), index);
+  return problem == std::errc() && word.find_first_not_of("0123456789-/") == std::string_view::npos;
+}
+
 /// Receives what tinyobjloader reads. It takes words that are no numbers for zero, so the line is looked at as well.
 class MeshReader {
  public:
@@ -80,7 +87,7 @@ class MeshReader {
 
   void addFace(const tinyobj::index_t* corners, int count) {
     for (std::string_view const word : words(source_.line()))
-      if (word.find_first_not_of("0123456789-/") != std::string_view::npos)
+      if (!isCorner(word))
         fail(fmt::format("expected vertex indices such as 1, 1/2, 1//3 or 1/2/3, found \"{}\"", word));
     if (count < 3) fail(fmt::format("a face needs at least three vertices, this has {}", count));
     std::uint32_t const first = resolve(corners[0].vertex_index);

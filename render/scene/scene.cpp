@@ -105,7 +105,7 @@ void validateShape(const Scene& scene, const ShapeDesc& shape, const std::string
   if (!within(shape.material, 0, double(scene.materials.size()) - 1)) fail(scene, place, "the shape has no material");
   if (isMesh && !within(shape.mesh, 0, double(scene.meshes.size()) - 1)) fail(scene, place, "the shape has no mesh");
   if (isMesh && shape.emission)
-    fail(scene, place, "a mesh cannot emit light; give the emission to a sphere, box or quad");
+    fail(scene, place + "/emission", "a mesh cannot emit light; give the emission to a sphere, box or quad");
   if (shape.emission)
     for (int c = 0; c < 3; ++c)
       if (!within(shape.emission->radiance[c], 0, maxRadiance))

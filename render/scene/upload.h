@@ -7,7 +7,8 @@
 namespace ropelight::RL_TARGET {
 
 inline Quad toTarget(const FlatQuad& q) {
-  return Quad{Vec3(q.corner[0]), Vec3(q.corner[1]), Vec3(q.corner[2]), Vec3(q.corner[3])};
+  Vec3d const n = glm::normalize(glm::cross(q.corner[1] - q.corner[0], q.corner[3] - q.corner[0]));
+  return Quad{Vec3(q.corner[0]), Vec3(q.corner[1]), Vec3(q.corner[2]), Vec3(q.corner[3]), Vec3(n)};
 }
 
 inline Sphere toTarget(const FlatSphere& s) {

@@ -79,13 +79,11 @@ struct Surface {
   std::int32_t light = -1;
 };
 
-RL_HD inline Vec3 normalOf(const Quad& q) { return normalize(cross(q.b - q.a, q.d - q.a)); }
-
 RL_HD inline void placeOn(const Quad& q, Real s, Real t, Surface& out) {
   Vec3 const e1 = q.b - q.a, e2 = q.d - q.a;
   out.p = q.a + e1 * s + e2 * t;
   out.error = gammaBound(8) * (absolute(q.a) + absolute(e1) + absolute(e2));
-  out.n = normalOf(q);
+  out.n = q.n;
 }
 
 /// `local`: a point near the unit sphere; it is moved onto it.

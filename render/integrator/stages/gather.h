@@ -26,7 +26,8 @@ struct GatherView {
     Real const height = dot(d, g.n);
     Real const distance2 = lengthSquared(d) - height * height;
     if (!(distance2 <= radius * radius) || abs(height) > discThickness * radius) return -1;
-    if (!(dot(unpackDirection(photon.normal), g.n) > sameSide)) return -1;
+    bool const plane = photon.normal == g.packedNormal;  // the usual case, without decoding
+    if (!plane && !(dot(unpackDirection(photon.normal), g.n) > sameSide)) return -1;
     return maxOf(distance2, Real(0));
   }
 

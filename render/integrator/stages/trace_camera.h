@@ -2,6 +2,7 @@
 // Camera rays through specular bounces to the first diffuse surface: emission on the way, direct light there, and the
 // point at which photons will be gathered.
 
+#include "accel/photon_grid.h"
 #include "render/integrator/stages/direct.h"
 
 namespace ropelight::RL_TARGET {
@@ -11,6 +12,7 @@ struct GatherPoint {
   Vec3 p;
   std::uint32_t edges;  ///< of the path from the camera to here
   Vec3 n;
+  std::uint32_t packedNormal;
   Rgb weight;
 };
 
@@ -54,7 +56,8 @@ struct TraceCamera {
           goesOn = bounce(bsdf, s, local, wo, sampler, throughput, radianceScale, edges, ray);
         } else {
           sum += throughput * arrive(bsdf, s, local, wo, sampler, edges, tally);
-          point = GatherPoint{s.p, std::uint32_t(edges), wo.z < 0 ? -s.n : s.n,
+          Vec3 const n = wo.z < 0 ? -s.n : s.n;
+          point = GatherPoint{s.p, std::uint32_t(edges), n, packDirection(n),
                               throughput * bsdf.eval(wo, Vec3(0, 0, copysign(Real(1), wo.z)))};
         }
       });
