@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "render/bsdf/bsdfs.h"
 #include "tests/test_random.h"
@@ -143,13 +145,17 @@ TEST_CASE("specular BSDFs have no density and a unit direction on every lobe") {
   forEveryBsdf(Rgb(1.0f), [&](const auto& bsdf) {
     if constexpr (std::decay_t<decltype(bsdf)>::specular) {
       double worst = 0;
+      int dense = 0, improbable = 0;
       for (int i = 0; i < 5000; ++i) {
         Vec3 const wo(random.direction()), other(random.direction());
         BsdfSample const s = bsdf.sample(wo, random.vec2().x, random.vec2(), Transport::radiance);
         worst = std::max(worst, std::abs(double(lengthSquared(s.wi)) - 1));
-        CHECK_MESSAGE((isBlack(bsdf.eval(wo, other)) && bsdf.pdf(wo, other) == 0 && s.pdf > 0 && s.pdf <= 1), i);
+        dense += !isBlack(bsdf.eval(wo, other)) || bsdf.pdf(wo, other) != 0;
+        improbable += !(s.pdf > 0 && s.pdf <= 1);
       }
       CHECK(worst < 2e-6);
+      CHECK(dense == 0);
+      CHECK(improbable == 0);
     }
   });
 }

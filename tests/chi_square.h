@@ -31,8 +31,7 @@ inline double upperGamma(double a, double x) {
   return front * h;
 }
 
-/// Probability of a worse fit by chance. Cells that expect fewer than 5 are put together; one that expects nothing and
-/// holds something gives 0.
+/// Probability of a worse fit by chance. Cells that expect fewer than 5 are put together.
 inline double chiSquareP(const std::vector<std::uint64_t>& observed, const std::vector<double>& expected) {
   double statistic = 0, smallObserved = 0, smallExpected = 0;
   int cells = 0;
@@ -42,7 +41,6 @@ inline double chiSquareP(const std::vector<std::uint64_t>& observed, const std::
   };
   for (std::size_t i = 0; i < observed.size(); ++i) {
     double const o = double(observed[i]), e = expected[i];
-    if (e <= 0 && o > 0) return 0;
     if (e >= 5) {
       add(o, e);
       continue;
@@ -53,7 +51,7 @@ inline double chiSquareP(const std::vector<std::uint64_t>& observed, const std::
     add(smallObserved, smallExpected);
     smallObserved = smallExpected = 0;
   }
-  if (smallExpected > 0) add(smallObserved, std::max(smallExpected, 1.0));
+  if (smallObserved + smallExpected > 0) add(smallObserved, std::max(smallExpected, 1.0));
   return cells > 1 ? upperGamma(0.5 * (cells - 1), 0.5 * statistic) : 0;
 }
 

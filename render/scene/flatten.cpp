@@ -191,23 +191,22 @@ bool FlatScene::overlapsSurface(std::uint32_t i, const Bounds& box) const {
 FlatScene flatten(const Scene& scene) { return Flattener(scene).run(); }
 
 Vec3d singularValues(const Mat3d& m) {
-  Mat3d s = glm::transpose(m) * m;  // cyclic Jacobi on the Gram matrix
+  Mat3d a = m;  // pairs of columns are turned until all are orthogonal (one-sided Jacobi, Hestenes 1958)
   for (int sweep = 0; sweep < 32; ++sweep) {
     for (auto [p, q] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
-      if (s[p][q] == 0) continue;
-      double const theta = (s[q][q] - s[p][p]) / (2 * s[p][q]);
-      double const t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0));
-      double const c = 1 / std::hypot(t, 1.0);
-      Mat3d r(1.0);
-      r[p][p] = r[q][q] = c;
-      r[p][q] = -t * c;
-      r[q][p] = t * c;
-      s = r * s * glm::transpose(r);
+      double const product = glm::dot(a[p], a[q]);
+      if (product == 0) continue;
+      double const zeta = (glm::dot(a[q], a[q]) - glm::dot(a[p], a[p])) / (2 * product);
+      double const t = std::copysign(1.0, zeta) / (std::abs(zeta) + std::hypot(zeta, 1.0));
+      double const c = 1 / std::hypot(t, 1.0), s = c * t;
+      Vec3d const before = a[p];
+      a[p] = c * before - s * a[q];
+      a[q] = s * before + c * a[q];
     }
   }
-  double v[3] = {s[0][0], s[1][1], s[2][2]};
+  double v[3] = {glm::length(a[0]), glm::length(a[1]), glm::length(a[2])};
   std::sort(v, v + 3, std::greater<>());
-  return glm::sqrt(glm::max(Vec3d(v[0], v[1], v[2]), Vec3d(0.0)));
+  return Vec3d(v[0], v[1], v[2]);
 }
 
 double ellipsoidArea(const Mat3d& toWorld) {

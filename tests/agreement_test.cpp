@@ -1,0 +1,147 @@
+// The modes against each other and against a second path tracer that shares no code with them.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "render/film/exr.h"
+#include "render/film/metrics.h"
+#include "render/scene/load.h"
+#include "tests/oracle/scenes.h"
+#include "tests/rendering.h"
+
+using namespace ropelight;
+using namespace ropelight::testing;
+
+namespace {
+
+constexpr int size = 64, tile = 16;
+
+struct Case {
+  const char* name;
+  oracle::Scene scene;
+};
+
+std::vector<Case> cases() {
+  return {{"diffuse box", oracle::diffuseBox(size, size)},
+          {"box with spheres", oracle::boxSpheresDiffuse(size, size)},
+          {"pool", oracle::pool(size, size)}};
+}
+
+Settings progressive() {
+  Settings s = settingsFor("sppm", size, size);
+  s.photons = 262144;
+  s.radius = 0.012;
+  return s;
+}
+
+/// The oracle's tiles as statistics of one rendering with known errors.
+TileStatistics oracleTiles(const oracle::Scene& scene, int samples, bool indirect) {
+  oracle::Options options;
+  options.indirectOnly = indirect;
+  std::vector<double> variance;
+  auto const image = oracle::render(scene, samples, 11, 0, options, &variance);
+  TileStatistics out;
+  for (const oracle::TileMean& t : oracle::tileMeans(image, variance, size, tile)) {
+    double const error = std::sqrt(t.variance);
+    out.mean.push_back({t.mean[0], t.mean[1], t.mean[2]});
+    out.error.push_back({error, error, error});
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_SUITE("slow") {
+  TEST_CASE("indirect light of sppm, path and the oracle agrees tile by tile") {
+    for (const Case& c : cases()) {
+      CAPTURE(c.name);
+      Scene const scene = fromOracle(c.scene);
+      Settings path = settingsFor("path", size, size);
+      path.indirectOnly = true;
+      Settings sppm = progressive();
+      sppm.indirectOnly = true;
+      TileStatistics const byPath = tileStatistics(renderSeeds(scene, path, 192, 4), tile);
+      TileStatistics const bySppm = tileStatistics(renderSeeds(scene, sppm, 12, 4), tile);
+      TileStatistics const byOracle = oracleTiles(c.scene, 400, true);
+      CHECK(disagreeingTiles(bySppm, byPath, 0.02) == 0);
+      CHECK(disagreeingTiles(byPath, byOracle, 0.02) == 0);
+      CHECK(disagreeingTiles(bySppm, byOracle, 0.02) == 0);
+    }
+  }
+
+  TEST_CASE("the whole light of sppm, path and the oracle agrees tile by tile") {
+    for (const Case& c : cases()) {
+      CAPTURE(c.name);
+      Scene const scene = fromOracle(c.scene);
+      TileStatistics const byPath = tileStatistics(renderSeeds(scene, settingsFor("path", size, size), 192, 4), tile);
+      TileStatistics const bySppm = tileStatistics(renderSeeds(scene, progressive(), 12, 4), tile);
+      TileStatistics const byOracle = oracleTiles(c.scene, 400, false);
+      CHECK(disagreeingTiles(bySppm, byPath, 0.02) == 0);
+      CHECK(disagreeingTiles(byPath, byOracle, 0.02) == 0);
+      CHECK(disagreeingTiles(bySppm, byOracle, 0.02) == 0);
+    }
+  }
+
+  TEST_CASE("box-spheres-diffuse agrees with the outside reference") {
+    std::filesystem::path const file =
+        std::filesystem::path(ROPELIGHT_SHARED_DATA) / "references" / "box-spheres-diffuse.exr";
+    if (!std::filesystem::exists(file)) {
+      MESSAGE("skipped: " << file.string() << " is not here");
+      return;
+    }
+    Image const reference = readExr(file.string());
+    Scene const scene = loadScene(std::string(ROPELIGHT_ASSETS) + "/box-spheres-diffuse.json");
+    Settings settings = settingsFor("sppm", 512, 512);
+    Image const image = renderImage(scene, settings, 16);
+    Metrics const m = compareImages(image, reference);
+    for (int c = 0; c < 3; ++c) CHECK(m.mean[std::size_t(c)] == doctest::Approx(m.meanReference[std::size_t(c)]).epsilon(0.005));
+    Image const a = tileMeans(image, 32), b = tileMeans(reference, 32);
+    int compared = 0, far = 0;
+    for (int y = 0; y < a.height; ++y)
+      for (int x = 0; x < a.width; ++x) {
+        bool const spheres = y >= 8 && x >= 3 && x <= 13;  // tiles that hold the spheres, their edges and caustics
+        if (spheres) continue;
+        ++compared;
+        for (int c = 0; c < 3; ++c)
+          if (std::abs(a.at(x, y)[c] - b.at(x, y)[c]) > 0.02f * b.at(x, y)[c]) ++far;
+      }
+    CHECK(compared > 150);
+    CHECK(far == 0);
+  }
+}
+
+TEST_CASE("ray is sppm without its photons") {
+  Scene const scene = fromOracle(oracle::diffuseBox(48, 32));
+  Settings direct = settingsFor("path", 48, 32);
+  direct.maxDepth = 2;
+  double const byPath = meanOf(renderImage(scene, direct, 256));
+  CHECK(meanOf(renderImage(scene, settingsFor("ray", 48, 32), 64)) == doctest::Approx(byPath).epsilon(0.01));
+}
+
+TEST_CASE("a depth limit means the same in path and sppm") {
+  Scene const scene = fromOracle(oracle::boxSpheresDiffuse(32, 32));
+  for (int depth : {2, 3, 4, 6}) {
+    CAPTURE(depth);
+    Settings path = settingsFor("path", 32, 32), sppm = progressive();
+    sppm.width = sppm.height = 32;
+    path.maxDepth = sppm.maxDepth = depth;
+    double const expected = meanOf(renderImage(scene, path, 512));
+    CHECK(meanOf(renderImage(scene, sppm, 8)) == doctest::Approx(expected).epsilon(0.03));
+  }
+}
+
+TEST_CASE("k nearest and a fixed radius estimate the same light") {
+  Scene const scene = fromOracle(oracle::diffuseBox(48, 48));
+  Settings radius = progressive();
+  radius.width = radius.height = 48;
+  radius.radius = 0.05;
+  Settings nearest = radius;
+  nearest.gather = "nearest";
+  nearest.nearest = 20;
+  double const expected = meanOf(renderImage(scene, radius, 8));
+  CHECK(meanOf(renderImage(scene, nearest, 8)) == doctest::Approx(expected).epsilon(0.02));
+  nearest.nearest = 3;
+  CHECK(meanOf(renderImage(scene, nearest, 8)) == doctest::Approx(expected).epsilon(0.02));
+}
