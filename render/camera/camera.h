@@ -12,6 +12,7 @@ struct CameraView {
   Vec3 right{1, 0, 0}, up{0, 1, 0};  ///< scaled: from the image's center to its edges, at unit distance
   Vec3 lensRight{0}, lensUp{0};      ///< scaled by the aperture's radius
   Real focusDistance = 1;
+  bool thinLens = false;
   Real pixelX = 0, pixelY = 0;  ///< 2/width, 2/height
 
   /// Unit-direction ray through film position (x, y) in pixels from the top left corner; lens: uniform numbers.
@@ -40,6 +41,7 @@ inline CameraView makeCamera(const CameraDesc& c, int width, int height) {
   v.up = Vec3(up * tangent);
   v.lensRight = Vec3(right * c.apertureRadius);
   v.lensUp = Vec3(up * c.apertureRadius);
+  v.thinLens = c.apertureRadius > 0;
   v.focusDistance = Real(c.focusDistance > 0 ? c.focusDistance : glm::length(c.target - c.position));
   v.pixelX = Real(2.0 / width);
   v.pixelY = Real(2.0 / height);

@@ -43,18 +43,22 @@ struct SphereLight {
   RL_HD static Real sampleToward(const Sphere& sphere, Real /*area*/, Vec3 from, Vec2 u, Surface& out) {
     Vec3 const o = sphere.toObject * (from - sphere.center);
     Real const distance2 = lengthSquared(o);
-    Vec3 local = distance2 > 1 ? Frame(o * (-1 / sqrt(distance2))).toWorld(uniformCone(u, coneHeight(distance2)))
-                               : uniformSphere(u);
-    Real const b = -dot(o, local), c = distance2 - 1;
-    Real const root = sqrt(maxOf(Real(0), b * b - c));
-    Real const t = distance2 > 1 ? b - root : b + root;
+    bool const inside = distance2 <= insideLimit(sphere);
+    Vec3 const local =
+        inside ? uniformSphere(u) : Frame(o * (-1 / sqrt(distance2))).toWorld(uniformCone(u, coneHeight(distance2)));
+    Real const b = -dot(o, local);
+    Real const root = sqrt(maxOf(Real(0), b * b - (distance2 - 1)));
+    Real const t = inside ? b + root : b - root;
+    if (!(t > 0)) return 0;
     placeOn(sphere, o + local * t, out);
-    return objectPdf(distance2) * solidAngleRatio(sphere, local);
+    return objectPdf(distance2, inside) * solidAngleRatio(sphere, local);
   }
 
   RL_HD static Real pdfToward(const Sphere& sphere, Real /*area*/, Vec3 from, Vec3 p) {
     Vec3 const o = sphere.toObject * (from - sphere.center);
-    return objectPdf(lengthSquared(o)) * solidAngleRatio(sphere, normalize(sphere.toObject * (p - from)));
+    Real const distance2 = lengthSquared(o);
+    return objectPdf(distance2, distance2 <= insideLimit(sphere)) *
+           solidAngleRatio(sphere, normalize(sphere.toObject * (p - from)));
   }
 
  private:
@@ -64,8 +68,17 @@ struct SphereLight {
     return sin2 / (1 + sqrt(maxOf(Real(0), 1 - sin2)));
   }
 
-  RL_HD static Real objectPdf(Real distance2) {
-    return distance2 > 1 ? uniformConePdf(coneHeight(distance2)) : invPi / 4;
+  /// Squared distance from the center, in object space, up to which a computed point of the surface may lie: such a
+  /// point is taken to be inside, where it may see the light it lies on.
+  RL_HD static Real insideLimit(const Sphere& sphere) {
+    Vec3 const c = absolute(sphere.center);
+    Vec3 const offset =
+        absolute(sphere.toObject[0]) * c.x + absolute(sphere.toObject[1]) * c.y + absolute(sphere.toObject[2]) * c.z;
+    return 1 + gammaBound(64) * (1 + maxAbs(offset));
+  }
+
+  RL_HD static Real objectPdf(Real distance2, bool inside) {
+    return inside ? invPi / 4 : uniformConePdf(coneHeight(distance2));
   }
 
   /// dω_object/dω_world along a unit object-space direction: |M w|³/|det M|.

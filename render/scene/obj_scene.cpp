@@ -56,7 +56,7 @@ ShapeDesc makeLight(const Framing& f, int material) {
   Vec3d const center = f.center + Vec3d(-0.8, 3.5, 1.2) * r;
   Mat4d const place = quadToWorld(center - Vec3d(edge, 0, edge) / 2.0, Vec3d(edge, 0, 0), Vec3d(0, 0, edge));
   ShapeDesc light = makeShape(ShapeKind::quad, "light", material, place);
-  light.emission = Emission{Rgb(5.0f, 4.8f, 4.5f), Side::out};
+  light.emission = Emission{Rgb(8.5f, 8.2f, 7.7f), Side::out};
   return light;
 }
 

@@ -3,6 +3,7 @@
 
 #include "accel/intersect.h"
 #include "render/camera/camera.h"
+#include "render/integrator/settings.h"
 #include "render/sampler/sampler.h"
 
 namespace ropelight::RL_TARGET {
@@ -41,10 +42,14 @@ struct FrameView {
   template <FeatureBits F>
   RL_HD Ray cameraRay(int x, int y, Sampler& s) const {
     Vec2 const jitter = s.next2();
-    if constexpr ((F & feature::lens) != 0) return camera.generate(Real(x) + jitter.x, Real(y) + jitter.y, s.next2());
+    if constexpr ((F & feature::lens) != 0)
+      if (camera.thinLens) return camera.generate(Real(x) + jitter.x, Real(y) + jitter.y, s.next2());
     return camera.generate(Real(x) + jitter.x, Real(y) + jitter.y);
   }
 };
+
+/// Survival probability of Russian roulette: lossless bounces (light caught inside glass) end too, after many.
+RL_HD inline Real rouletteSurvival(Real kept, int edges) { return minOf(kept, edges > 64 ? Real(0.95) : Real(1)); }
 
 /// The ray that leaves a surface along w, clear of the surface on w's side.
 RL_HD inline Ray leave(const Surface& s, Vec3 w) { return Ray{offsetRayOrigin(s.p, s.error, s.n, w), w, infinity}; }

@@ -84,7 +84,7 @@ struct TraceCamera {
     BsdfSample const b = bsdf.sample(wo, u.x, Vec2(0), Transport::radiance);
     throughput *= b.weight;
     radianceScale *= b.radianceScale;
-    Real const survival = minOf(Real(1), Real(maxComponent(throughput)) / radianceScale);
+    Real const survival = rouletteSurvival(Real(maxComponent(throughput)) / radianceScale, edges);
     if (edges > 8 && survival < 1) {
       if (u.y >= survival) return false;
       throughput *= float(1 / survival);

@@ -85,7 +85,7 @@ struct TracePath {
     state.pdf = Bsdf::specular ? Real(0) : b.pdf;
     state.from = s.p;
     if (edges > 3) {
-      Real const survival = minOf(Real(1), Real(maxComponent(state.throughput)) / state.radianceScale);
+      Real const survival = rouletteSurvival(Real(maxComponent(state.throughput)) / state.radianceScale, edges);
       if (!(u.y < survival)) return false;
       state.throughput *= float(1 / survival);
     }

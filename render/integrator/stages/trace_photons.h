@@ -37,9 +37,9 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
       }
       BsdfSample const b = bsdf.sample(wo, u.x, direction, Transport::flux);
       Rgb const next = flux * b.weight;
-      float const survival = maxComponent(next) / maxComponent(flux);
-      goesOn = Real(survival) > u.y;
-      flux = survival < 1 ? next * (1 / survival) : next;
+      Real const survival = rouletteSurvival(Real(maxComponent(next) / maxComponent(flux)), edges);
+      goesOn = survival > u.y;
+      flux = survival < 1 ? next * float(1 / survival) : next;
       ray = leave(s, normalize(local.toWorld(b.wi)));
     });
     if (!goesOn) return count;
