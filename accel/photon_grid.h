@@ -74,11 +74,11 @@ struct PhotonGrid {
     return dense ? k : k & (cells - 1);
   }
 
-  /// Cells that hold every photon within `radius` of p, whatever the rounding.
-  RL_HD CellRange around(Vec3 p, Real radius) const {
+  /// Cells that hold every photon within `extent` of p along each axis, whatever the rounding.
+  RL_HD CellRange around(Vec3 p, Vec3 extent) const {
     CellRange r;
     for (int a = 0; a < 3; ++a) {
-      Real const reach = radius * Real(1.00001) + abs(p[a]) * (4 * machineEpsilon);
+      Real const reach = extent[a] * Real(1.00001) + abs(p[a]) * (4 * machineEpsilon);
       r.low[a] = cellOf(p[a] - reach, a);
       r.high[a] = cellOf(p[a] + reach, a);
     }

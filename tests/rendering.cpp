@@ -1,5 +1,7 @@
 #include "tests/rendering.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "render/film/metrics.h"
@@ -160,15 +162,17 @@ TileStatistics tileStatistics(const std::vector<Image>& renderings, int tile) {
   return out;
 }
 
-int disagreeingTiles(const TileStatistics& a, const TileStatistics& b, double relative) {
-  int count = 0;
+std::string disagreement(const TileStatistics& a, const TileStatistics& b, double relative) {
+  std::string text;
   for (std::size_t t = 0; t < a.mean.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c) {
       double const difference = std::abs(a.mean[t][c] - b.mean[t][c]);
       bool const relativelyFar = difference > relative * std::abs(b.mean[t][c]);
-      if (relativelyFar && difference > 3 * std::hypot(a.error[t][c], b.error[t][c])) ++count;
+      if (relativelyFar && difference > 3 * std::hypot(a.error[t][c], b.error[t][c]))
+        text += fmt::format("tile {} channel {}: {:.5f} ± {:.5f} against {:.5f} ± {:.5f}; ", t, c, a.mean[t][c],
+                            a.error[t][c], b.mean[t][c], b.error[t][c]);
     }
-  return count;
+  return text;
 }
 
 }  // namespace ropelight::testing

@@ -40,7 +40,8 @@ TileStatistics tileStatistics(const std::vector<Image>& renderings, int tile);
 std::vector<Image> renderSeeds(const Scene& scene, Settings settings, int iterations, int count,
                                const BackendChoice& backend = {"cpu", 0, 0, false});
 
-/// Tiles where a and b differ by more than `relative` of b and by more than three standard errors of the difference.
-int disagreeingTiles(const TileStatistics& a, const TileStatistics& b, double relative);
+/// The tiles where a and b differ by more than `relative` of b and by more than three standard errors of the
+/// difference, in words; empty where all agree.
+std::string disagreement(const TileStatistics& a, const TileStatistics& b, double relative);
 
 }  // namespace ropelight::testing

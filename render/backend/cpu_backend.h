@@ -3,9 +3,11 @@
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <memory>
@@ -58,7 +60,9 @@ class Backend {
   };
 
   explicit Backend(const BackendChoice& choice)
-      : arena_(choice.threads > 0 ? choice.threads : oneapi::tbb::task_arena::automatic) {}
+      : limit_(oneapi::tbb::global_control::max_allowed_parallelism,
+               std::size_t(std::max(choice.threads, oneapi::tbb::info::default_concurrency()))),
+        arena_(choice.threads > 0 ? choice.threads : oneapi::tbb::task_arena::automatic) {}
 
   Ledger& ledger() { return ledger_; }
   const Ledger& ledger() const { return ledger_; }
@@ -142,6 +146,7 @@ class Backend {
   }
 
   Ledger ledger_;
+  oneapi::tbb::global_control limit_;  // lets the arena have more threads than there are cores
   oneapi::tbb::task_arena arena_;
   oneapi::tbb::enumerable_thread_specific<TallyTotals> tallies_;
 };

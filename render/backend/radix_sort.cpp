@@ -16,11 +16,11 @@ using Histogram = std::array<std::uint32_t, buckets>;
 
 /// One counting pass: blocks are contiguous, so that offsets by (digit, block) keep the order of equal keys.
 void pass(const std::uint32_t* keys, const std::uint32_t* values, std::uint32_t* keysOut, std::uint32_t* valuesOut,
-          std::uint32_t n, int shift, std::vector<Histogram>& histograms) {
+          std::uint32_t n, int shift, int width, std::vector<Histogram>& histograms) {
   std::uint32_t const blocks = std::uint32_t(histograms.size());
   std::uint64_t const step = (std::uint64_t(n) + blocks - 1) / blocks;
   auto first = [&](std::uint32_t b) { return std::uint32_t(std::min<std::uint64_t>(n, b * step)); };
-  auto digit = [&](std::uint32_t key) { return (key >> shift) & (buckets - 1); };
+  auto digit = [&](std::uint32_t key) { return (key >> shift) & ((1u << width) - 1); };
   oneapi::tbb::parallel_for(0u, blocks, [&](std::uint32_t b) {
     histograms[b].fill(0);
     for (std::uint32_t i = first(b); i < first(b + 1); ++i) ++histograms[b][digit(keys[i])];
@@ -45,10 +45,11 @@ void pass(const std::uint32_t* keys, const std::uint32_t* values, std::uint32_t*
 
 void radixSortPairs(std::uint32_t* keys, std::uint32_t* values, std::uint32_t* keyScratch, std::uint32_t* valueScratch,
                     std::uint32_t n, int bits, int threads) {
+  if (n == 0) return;
   std::uint32_t* const result[2] = {keys, values};
   std::vector<Histogram> histograms(std::size_t(std::clamp(threads, 1, 64)));
   for (int shift = 0; shift < bits; shift += digitBits) {
-    pass(keys, values, keyScratch, valueScratch, n, shift, histograms);
+    pass(keys, values, keyScratch, valueScratch, n, shift, std::min(digitBits, bits - shift), histograms);
     std::swap(keys, keyScratch);
     std::swap(values, valueScratch);
   }
