@@ -21,6 +21,17 @@ double timeIteration(Integrator& integrator) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Timing stages on a GPU waits for each one, so that it has a run of its own.
+std::map<std::string, double> stageTimes(const Scene& scene, const Settings& settings, const BenchOptions& options) {
+  BackendChoice timed = options.scene.backend;
+  timed.stageTimes = true;
+  auto const integrator = makeIntegrator(scene, settings, timed);
+  integrator->advance(warmUp);
+  integrator->reset();
+  integrator->advance(options.repeat);
+  return integrator->stats().stageSeconds;
+}
+
 BenchRow measure(const Scene& scene, const Settings& settings, const BenchOptions& options) {
   auto const integrator = makeIntegrator(scene, settings, options.scene.backend);
   integrator->advance(warmUp);
@@ -30,6 +41,7 @@ BenchRow measure(const Scene& scene, const Settings& settings, const BenchOption
   row.bench = "iteration";
   row.scene = scene.name.empty() ? scene.file : scene.name;
   row.stats = integrator->stats();
+  if (row.stats.stageSeconds.empty()) row.stats.stageSeconds = stageTimes(scene, settings, options);
   row.settings = resolved(settings, scene, row.stats);
   row.threads = options.scene.backend.threads;
   return row;

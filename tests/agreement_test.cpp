@@ -1,6 +1,7 @@
 // The modes against each other and against a second path tracer that shares no code with them.
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
@@ -31,7 +32,7 @@ std::vector<Case> cases() {
 
 Settings progressive() {
   Settings s = settingsFor("sppm", size, size);
-  s.photons = 262144;
+  s.photons = 131072;
   s.radius = 0.012;
   return s;
 }
@@ -63,8 +64,8 @@ TEST_SUITE("slow") {
       path.indirectOnly = true;
       Settings sppm = progressive();
       sppm.indirectOnly = true;
-      TileStatistics const byPath = tileStatistics(renderSeeds(scene, path, 192, 4), tile);
-      TileStatistics const bySppm = tileStatistics(renderSeeds(scene, sppm, 12, 4), tile);
+      TileStatistics const byPath = tileStatistics(renderSeeds(scene, path, 96, 8), tile);
+      TileStatistics const bySppm = tileStatistics(renderSeeds(scene, sppm, 24, 8), tile);
       TileStatistics const byOracle = oracleTiles(c.scene, 400, true);
       CHECK(disagreement(bySppm, byPath, 0.02) == "");
       CHECK(disagreement(byPath, byOracle, 0.02) == "");
@@ -77,8 +78,8 @@ TEST_SUITE("slow") {
       std::string const name = c.name;
       CAPTURE(name);
       Scene const scene = fromOracle(c.scene);
-      TileStatistics const byPath = tileStatistics(renderSeeds(scene, settingsFor("path", size, size), 192, 4), tile);
-      TileStatistics const bySppm = tileStatistics(renderSeeds(scene, progressive(), 12, 4), tile);
+      TileStatistics const byPath = tileStatistics(renderSeeds(scene, settingsFor("path", size, size), 96, 8), tile);
+      TileStatistics const bySppm = tileStatistics(renderSeeds(scene, progressive(), 24, 8), tile);
       TileStatistics const byOracle = oracleTiles(c.scene, 400, false);
       CHECK(disagreement(bySppm, byPath, 0.02) == "");
       CHECK(disagreement(byPath, byOracle, 0.02) == "");
@@ -96,22 +97,24 @@ TEST_SUITE("slow") {
     Image const reference = readExr(file.string());
     Scene const scene = loadScene(std::string(ROPELIGHT_ASSETS) + "/box-spheres-diffuse.json");
     Settings settings = settingsFor("sppm", 512, 512);
-    Image const image = renderImage(scene, settings, 16);
+    settings.photons = 1u << 20;
+    settings.radius = 0.004;  // small: discs cut by the room's edges darken the tiles along them
+    Image const image = renderImage(scene, settings, 20);
     Metrics const m = compareImages(image, reference);
-    for (int c = 0; c < 3; ++c)
-      CHECK(m.mean[std::size_t(c)] == doctest::Approx(m.meanReference[std::size_t(c)]).epsilon(0.005));
+    for (std::size_t c = 0; c < 3; ++c) CHECK(m.mean[c] == doctest::Approx(m.meanReference[c]).epsilon(0.005));
     Image const a = tileMeans(image, 32), b = tileMeans(reference, 32);
-    int compared = 0, far = 0;
+    int compared = 0;
+    std::string far;
     for (int y = 0; y < a.height; ++y)
       for (int x = 0; x < a.width; ++x) {
-        bool const spheres = y >= 8 && x >= 3 && x <= 13;  // tiles that hold the spheres, their edges and caustics
+        bool const spheres = y >= 9 && x >= 3 && x <= 13;  // the spheres, their edges and the caustics below them
         if (spheres) continue;
         ++compared;
-        for (int c = 0; c < 3; ++c)
-          if (std::abs(a.at(x, y)[c] - b.at(x, y)[c]) > 0.02f * b.at(x, y)[c]) ++far;
+        double const relative = double(mean(a.at(x, y))) / double(mean(b.at(x, y))) - 1;
+        if (std::abs(relative) > 0.02) far += fmt::format("({}, {}): {:+.2f}%; ", x, y, 100 * relative);
       }
     CHECK(compared > 150);
-    CHECK(far == 0);
+    CHECK(far == "");
   }
 }
 

@@ -25,8 +25,13 @@ std::vector<Mat4d> transforms() {
   Mat4d shear(1.0);
   shear[1][0] = 0.7;
   Mat4d const place = translation({3, -7, 2}) * rotation({1, 2, 3}, 70);
-  return {Mat4d(1.0), place, place * scaling({2, 0.1, 5}), place * shear, scaling({-1, 1, 1}),
-          place * scaling({1, 1, -1}), place * shear * scaling({-2, -3, -0.5})};
+  return {Mat4d(1.0),
+          place,
+          place * scaling({2, 0.1, 5}),
+          place * shear,
+          scaling({-1, 1, 1}),
+          place * scaling({1, 1, -1}),
+          place * shear * scaling({-2, -3, -0.5})};
 }
 
 FlatScene flatOf(ShapeKind kind, const Mat4d& toWorld) { return flatten(SceneBuilder().add(kind, toWorld).scene); }

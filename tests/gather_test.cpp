@@ -174,15 +174,15 @@ TEST_CASE("a photon counts within the disc, on the gather point's side, on a pat
     bool counts;
   };
   Vec3 const tilted = glm::normalize(Vec3(1, 0, 0.2f)), steep = glm::normalize(Vec3(1, 0, 0.05f));
-  for (const Case& c : {Case{{0, 0, 0}, up, 4, true}, Case{{0.29f, 0, 0}, up, 4, true},
-                        Case{{0.31f, 0, 0}, up, 4, false}, Case{{0.25f, 0.25f, 0}, up, 4, false},
-                        Case{{0, 0.29f, 0.05f}, up, 4, true}, Case{{0, 0, -0.05f}, up, 4, true},
-                        Case{{0, 0, 0.07f}, up, 4, false}, Case{{0, 0, 0}, -up, 4, false},
-                        Case{{0, 0, 0}, tilted, 4, true}, Case{{0, 0, 0}, steep, 4, false},
-                        Case{{0, 0, 0}, up, 5, false}}) {
+  for (const Case& c :
+       {Case{{0, 0, 0}, up, 4, true}, Case{{0.29f, 0, 0}, up, 4, true}, Case{{0.31f, 0, 0}, up, 4, false},
+        Case{{0.25f, 0.25f, 0}, up, 4, false}, Case{{0, 0.29f, 0.05f}, up, 4, true}, Case{{0, 0, -0.05f}, up, 4, true},
+        Case{{0, 0, 0.07f}, up, 4, false}, Case{{0, 0, 0}, -up, 4, false}, Case{{0, 0, 0}, tilted, 4, true},
+        Case{{0, 0, 0}, steep, 4, false}, Case{{0, 0, 0}, up, 5, false}}) {
     CAPTURE(c.p.x);
     CAPTURE(c.p.z);
-    PhotonCloud const cloud({{c.p, packDirection(c.n)}}, {{Rgb(1.0f), c.edges}}, Bounds{Vec3d(-1), Vec3d(1)}, 0.3, 1024);
+    PhotonCloud const cloud({{c.p, packDirection(c.n)}}, {{Rgb(1.0f), c.edges}}, Bounds{Vec3d(-1), Vec3d(1)}, 0.3,
+                            1024);
     GatherPoint const g = pointAt(Vec3(0), up);
     Rgb radiance(0.0f);
     Rgb const sum = gathered(GatherRadius{{cloud.grid, radius, 6}, {&g, 1}, {&radiance, 1}});

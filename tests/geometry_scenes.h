@@ -111,7 +111,9 @@ inline std::vector<GeometryScene> geometryScenes() {
   SceneBuilder triangles, ball, far, quad, sphere, triangle;
   triangles.mesh(randomTriangles(random, 500, 0.3));
   ball.mesh(bumpyBall(50, 51));
-  far.mesh(randomTriangles(random, 100, 0.3)).add(ShapeKind::sphere, scaling({0.3, 0.1, 0.3})).cameraAt({900, 500, 700});
+  far.mesh(randomTriangles(random, 100, 0.3))
+      .add(ShapeKind::sphere, scaling({0.3, 0.1, 0.3}))
+      .cameraAt({900, 500, 700});
   quad.add(ShapeKind::quad, Mat4d(1.0));
   sphere.add(ShapeKind::sphere, translation({0.2, 0, 0}) * scaling({1, 0.5, 0.25}));
   triangle.mesh({{{0, 0, 0}, {1, 0, 0.25}, {0, 1, 0.5}}});

@@ -104,7 +104,7 @@ class RaySet {
     Vec3 const next = vertices_[std::size_t(i) % (vertices_.size() - 1) + 1];
     Vec3 const edge = next - vertices_[std::size_t(i) % (vertices_.size() - 1)];
     if (edge != Vec3(0)) add(next - edge * Real(random_.between(0, 3)), edge);  // along the edge
-    add(o, next - edge * Real(random_.unit()) - o);                              // across it
+    add(o, next - edge * Real(random_.unit()) - o);                             // across it
   }
 
   void aroundSpheres() {
@@ -131,9 +131,7 @@ class RaySet {
   std::vector<Ray> rays_;
 };
 
-bool same(const Hit& a, const Hit& b) {
-  return a.primitive == b.primitive && a.t == b.t && a.u == b.u && a.v == b.v;
-}
+bool same(const Hit& a, const Hit& b) { return a.primitive == b.primitive && a.t == b.t && a.u == b.u && a.v == b.v; }
 
 /// Counts disagreements and keeps the first for the message.
 struct Disagreements {

@@ -97,8 +97,9 @@ TEST_CASE("points on a quad are uniform by area and carry its normal") {
   Quad const quad = toTarget(flat);
   TestRandom random(1);
   Histogram2 histogram(16, 16);
-  Mat3d const inverse = glm::inverse(Mat3d(flat.corner[1] - flat.corner[0], flat.corner[3] - flat.corner[0],
-                                           glm::cross(flat.corner[1] - flat.corner[0], flat.corner[3] - flat.corner[0])));
+  Mat3d const inverse =
+      glm::inverse(Mat3d(flat.corner[1] - flat.corner[0], flat.corner[3] - flat.corner[0],
+                         glm::cross(flat.corner[1] - flat.corner[0], flat.corner[3] - flat.corner[0])));
   double off = 0;
   for (int i = 0; i < samples; ++i) {
     Surface s;

@@ -149,6 +149,21 @@ TEST_CASE("photons and queries outside the bounds by rounding are found") {
   }
 }
 
+TEST_CASE("photons one radius away on the borders of the cells are found") {
+  for (double offset : {0.0, -7.3, 1000.1})
+    for (double step : {0.1, 1.0 / 3, 0.7}) {
+      std::vector<Vec3> points;
+      for (int i = 0; i < 300; ++i) points.push_back(Vec3(offset + step * i, 0, 0));
+      Real const radius = points[103].x - points[100].x;
+      for (std::uint32_t table : {1u << 12, 32u}) {
+        PhotonCloud const c(positionsOf(points), numbered(points.size()), boundsOf(points), double(radius), table);
+        int wrong = 0;
+        for (Vec3 p : points) wrong += found(c.grid, p, radius) != expected(points, p, radius);
+        CHECK(wrong == 0);
+      }
+    }
+}
+
 TEST_CASE("a grid without photons is empty") {
   for (std::uint32_t table : {1u << 16, 8u}) {
     PhotonCloud const c({}, {}, Bounds{Vec3d(-1), Vec3d(1)}, 0.1, table);
@@ -245,11 +260,8 @@ TEST_CASE("the stages order the photons by cell, tails included, and leave the r
     for (std::uint32_t k = 0; k < capacity; ++k) PadKeys{store, grid.cells}(k, tally);
     radixSortPairs(keys.data(), slots.data(), scratch.data(), scratch.data() + capacity, capacity,
                    std::bit_width(grid.cells), 2);
-    OrderPhotons const order{store,
-                             grid.cells,
-                             {starts.data(), grid.cells + 1},
-                             {positions.data(), capacity},
-                             {powers.data(), capacity}};
+    OrderPhotons const order{
+        store, grid.cells, {starts.data(), grid.cells + 1}, {positions.data(), capacity}, {powers.data(), capacity}};
     for (std::uint32_t k = 0; k <= capacity; ++k) order(k, tally);
 
     CHECK(starts.front() == 0);

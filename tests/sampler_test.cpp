@@ -198,7 +198,8 @@ TEST_CASE("dimensions, paths and seeds are uncorrelated") {
       for (const Correlation* c : {&across, &ahead, &twoAhead, &path, &seed, &index})
         worst = std::max(worst, c->sigmas());
     }
-    CHECK(worst < 8);  // Sobol points come in pairs that flip together: their correlations spread wider than random ones
+    CHECK(worst <
+          8);  // Sobol points come in pairs that flip together: their correlations spread wider than random ones
   });
 }
 

@@ -115,8 +115,7 @@ TEST_CASE("directions in a cone follow their density, from a hair's breadth to t
   for (double range : {1e-12, 1e-6, 0.01, 0.3, 1.0, 1.9}) {
     CAPTURE(range);
     checkDirections(
-        range, [&](Vec2 u) { return uniformCone(u, Real(range)); },
-        [&](Vec3) { return uniformConePdf(Real(range)); });
+        range, [&](Vec2 u) { return uniformCone(u, Real(range)); }, [&](Vec3) { return uniformConePdf(Real(range)); });
   }
 }
 

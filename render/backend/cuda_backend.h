@@ -19,9 +19,19 @@ struct Plus {
   }
 };
 
+/// Sum over a full warp, valid in lane 0.
+__device__ inline std::uint32_t warpSum(std::uint32_t value) {
+#if __CUDA_ARCH__ >= 800
+  return __reduce_add_sync(0xFFFFFFFFu, value);
+#else
+  for (int step = 16; step > 0; step /= 2) value += __shfl_down_sync(0xFFFFFFFFu, value, step);
+  return value;
+#endif
+}
+
 __device__ inline void addToTotals(TallyTotals* totals, const Tally& t) {
   auto const add = [](unsigned long long* to, std::uint32_t value) {
-    std::uint32_t const sum = __reduce_add_sync(0xFFFFFFFFu, value);
+    std::uint32_t const sum = warpSum(value);
     if ((threadIdx.x & 31) == 0 && sum != 0) atomicAdd(to, static_cast<unsigned long long>(sum));
   };
   add(&totals->rays, t.rays);

@@ -1,16 +1,11 @@
 #pragma once
-// The body of a generated translation unit: one maker.
+// The body of a generated translation unit, which has included its backend: one maker.
 
 #include "render/core/error.h"
 #include "render/integrator/factory.h"
 #include "render/integrator/path.h"
 #include "render/integrator/ray.h"
 #include "render/integrator/sppm.h"
-#if defined(__CUDACC__)
-#include "render/backend/cuda_backend.h"
-#else
-#include "render/backend/cpu_backend.h"
-#endif
 
 namespace ropelight::RL_TARGET {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/core/error.h"
+#include "render/integrator/first_radius.h"
 
 namespace ropelight {
 namespace {
@@ -16,29 +17,11 @@ void requireOneOf(const char* name, const std::string& value, const std::vector<
               ExitCode::usage);
 }
 
-/// Expected photons in the first disc, from error-against-time runs (docs/decisions.md).
-constexpr double photonsPerDisc = 40;
-/// Deposits of one photon path, before any is traced.
-constexpr double depositsPerPath = 2;
-
-/// The radius at which a disc holds `photonsPerDisc` photons if they lie evenly on all diffuse surfaces, at least one
-/// pixel's footprint at the scene's center.
-double automaticRadius(const FlatScene& flat, const CameraDesc& camera, const Settings& s) {
-  double const density = double(s.photons) * depositsPerPath / std::max(flat.diffuseArea, 1e-300);
-  double const fromDensity = std::sqrt(photonsPerDisc / (M_PI * density));
-  Vec3d const center = 0.5 * (flat.bounds.min + flat.bounds.max);
-  double const distance = glm::length(center - camera.position);
-  double const footprint = 2 * distance * std::tan(glm::radians(camera.verticalFov) / 2) / s.height;
-  double const size = glm::length(flat.bounds.extent());
-  return std::clamp(std::max(fromDensity, 0.5 * footprint), 1e-6 * size, 0.25 * size);
-}
-
-void resolve(const Scene& scene, const FlatScene& flat, Settings& s) {
+void resolve(const Scene& scene, Settings& s) {
   if (s.width == 0) s.width = scene.film.width;
   if (s.height == 0) s.height = scene.film.height;
   if (std::uint64_t(s.width) * std::uint64_t(s.height) > (1u << 30))
     throw Error(fmt::format("film: {} x {} pixels; at most 2^30 fit", s.width, s.height), ExitCode::usage);
-  if (s.radius == 0) s.radius = automaticRadius(flat, scene.camera, s);
   if (s.maxDepth == 0) s.maxDepth = hardDepthLimit;
 }
 
@@ -65,7 +48,7 @@ Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoi
   p.camera = scene.camera;
   p.settings = settings;
   p.backend = backend;
-  resolve(scene, p.flat, p.settings);
+  resolve(scene, p.settings);
   p.features = featuresOf(p.flat, p.camera, p.settings);
   if (p.features & feature::tree) {
     KdConfig config;
@@ -76,6 +59,7 @@ Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoi
     p.tree = buildKdTree(p.flat, config);
   }
   p.settings.accel = (p.features & feature::tree) ? "tree" : "brute";
+  if ((p.features & feature::photons) && p.settings.radius == 0) p.settings.radius = automaticRadius(p);
   return p;
 }
 
