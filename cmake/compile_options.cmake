@@ -1,7 +1,7 @@
 # Flags of all our code. No flag here may change a value: results are the same bits at every optimisation level.
 function(ropelight_compile_options target)
   # Fused multiply-adds would break the exactness that edge tests rely on; errno and traps nobody reads.
-  set(host -ffp-contract=off -fno-math-errno -fno-trapping-math -Wall -Wextra -Wshadow)
+  set(host -ffp-contract=off -fno-math-errno -fno-trapping-math -Wall -Wextra -Wshadow -Wundef)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     list(APPEND host -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
   endif()

@@ -15,7 +15,6 @@ namespace {
 
 constexpr FeatureBits treeOnly = feature::all;
 constexpr FeatureBits bruteForce = feature::all & ~feature::tree;
-constexpr int raysEach = 250;  // of every kind, in every scene
 
 /// Corners of quads and triangles.
 std::vector<Vec3> verticesOf(const FlatScene& flat) {
@@ -186,7 +185,8 @@ TEST_CASE("the tree finds what testing every primitive finds, whatever the ray a
     HostScene const reference(scene.flat, KdConfig{});
     std::vector<Expected> expected;
     int hits = 0;
-    for (const Ray& r : RaySet(scene.flat, reference.tree(), 41).make(raysEach)) {
+    int const each = scene.flat.primitiveCount() > 1000 ? 60 : 250;
+    for (const Ray& r : RaySet(scene.flat, reference.tree(), 41).make(each)) {
       expected.emplace_back(reference.view(), r);
       hits += expected.back().hit.found();
     }

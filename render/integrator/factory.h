@@ -8,17 +8,15 @@ namespace ropelight {
 
 using Maker = std::unique_ptr<Integrator> (*)(const Prepared&);
 
-/// The maker's name is make_<mode>_<row>.
+/// The maker's name is make_<mode>_<row>; those in cuda are defined only where that backend is built.
 #define RL_DECLARE(mode, row) std::unique_ptr<Integrator> make_##mode##_##row(const Prepared&);
 #define RL_DECLARE_ROWS(mode) RL_DECLARE(mode, basic) RL_DECLARE(mode, full)
 
 namespace cpu {
 RL_MODES(RL_DECLARE_ROWS)
 }
-#if ROPELIGHT_CUDA
 namespace cuda {
 RL_MODES(RL_DECLARE_ROWS)
 }
-#endif
 
 }  // namespace ropelight

@@ -21,9 +21,11 @@ struct PhotonPlan {
 
   static constexpr std::uint64_t slotBytes = sizeof(PhotonPosition) + sizeof(PhotonPower);
 
+  /// Slots of stripes and tails; numbered in 32 bits.
+  std::uint64_t slots() const { return std::uint64_t(paths) * stripe + tailCapacity; }
+
   std::uint64_t bytes() const {
-    std::uint64_t const slots = std::uint64_t(paths) * stripe + tailCapacity + photonCapacity;
-    return slots * slotBytes + std::uint64_t(photonCapacity) * 4 * sizeof(std::uint32_t) +
+    return (slots() + photonCapacity) * slotBytes + std::uint64_t(photonCapacity) * 4 * sizeof(std::uint32_t) +
            std::uint64_t(paths) * (2 * sizeof(DepositCount) + sizeof(std::uint32_t)) + std::uint64_t(tableSize) * 4;
   }
 };
@@ -40,7 +42,7 @@ inline PhotonPlan planPhotons(std::uint64_t photons, std::uint64_t budget, doubl
     plan.photonCapacity = room(perPath);
     plan.tailCapacity = room(tailPerPath);
     plan.tableSize = std::bit_ceil(std::clamp(2 * plan.photonCapacity, 1u << 16, 1u << 26));
-    if (plan.bytes() <= budget || paths <= 1024) return plan;
+    if ((plan.bytes() <= budget && plan.slots() < (1ull << 31)) || paths <= 1024) return plan;
   }
 }
 
