@@ -26,7 +26,7 @@ class Builder {
       bounds_[i].min -= pad_;
       bounds_[i].max += pad_;
     }
-    maxDepth_ = config.maxDepth > 0 ? config.maxDepth : int(8 + 1.3 * std::log2(std::max(1.0, double(n))));
+    maxDepth_ = config.maxDepth > 0 ? config.maxDepth : automaticTreeDepth(n);
     maxReferences_ = 64 + 16 * std::size_t(n);
   }
 
@@ -153,6 +153,8 @@ class Builder {
 };
 
 }  // namespace
+
+int automaticTreeDepth(std::uint32_t primitives) { return int(8 + 1.3 * std::log2(std::max(1.0, double(primitives)))); }
 
 KdTree buildKdTree(const FlatScene& scene, const KdConfig& config) {
   auto const start = std::chrono::steady_clock::now();

@@ -16,6 +16,9 @@ struct KdConfig {
   double emptyBonus = 0.2;   ///< share of the cost taken off a split that cuts off empty space
 };
 
+/// 8 + 1.3 log2(primitives), the depth that Havran (2000) found to suffice.
+int automaticTreeDepth(std::uint32_t primitives);
+
 /// An empty scene gives one empty leaf. Every leaf holds all primitives whose surface comes within the rounding error
 /// of traversal of its cell.
 KdTree buildKdTree(const FlatScene& scene, const KdConfig& config);

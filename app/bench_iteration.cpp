@@ -42,7 +42,7 @@ BenchRow measure(const Scene& scene, const Settings& settings, const BenchOption
   row.scene = scene.name.empty() ? scene.file : scene.name;
   row.stats = integrator->stats();
   if (row.stats.stageSeconds.empty()) row.stats.stageSeconds = stageTimes(scene, settings, options);
-  row.settings = resolved(settings, scene, row.stats);
+  row.settings = row.stats.settings;
   row.threads = options.scene.backend.threads;
   return row;
 }

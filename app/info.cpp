@@ -82,6 +82,9 @@ void printText(const Scene& scene, const Settings& settings, const Stats& stats)
   fmt::print("{:<12}{} x {} pixels\n", "image", settings.width, settings.height);
   fmt::print("{:<12}{}\n", "device", stats.device);
   fmt::print("{:<12}{}, kernels: {}\n", "rays", stats.accel, stats.kernelRow);
+  if (stats.treeNodes > 0)
+    fmt::print("{:<12}{} nodes, {} leaves, depth {}, SAH cost {:.1f}, built in {:.3f} s\n", "tree", stats.treeNodes,
+               stats.treeLeaves, stats.treeDepth, stats.treeCost, stats.treeSeconds);
   if (stats.firstRadius > 0) fmt::print("{:<12}{:.6g} scene units at first\n", "radius", stats.firstRadius);
   printFeatures(stats.features);
   printMemory(stats);
@@ -96,7 +99,7 @@ int runInfo(const InfoOptions& options) {
   auto const integrator = makeIntegrator(scene, options.scene.settings, options.scene.backend, &why);
   if (!why.empty()) fmt::print(stderr, "{}\n", why);
   Stats const stats = integrator->stats();
-  Settings const settings = resolved(options.scene.settings, scene, stats);
+  const Settings& settings = stats.settings;
   if (options.json != "-") printText(scene, settings, stats);
   if (!options.json.empty())
     writeJson(options.json, {{"version", version},

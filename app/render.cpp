@@ -83,6 +83,9 @@ void printSummary(const RenderOptions& options, const Stats& stats, const Accumu
 }
 
 void printWarnings(const Stats& stats) {
+  if (stats.regrown > 0)
+    fmt::print(stderr, "note: photons were traced again {} times after their storage had grown\n", stats.regrown);
+  if (stats.chunks > 1) fmt::print(stderr, "note: each iteration's photons were traced in {} parts\n", stats.chunks);
   if (stats.nonFinite > 0)
     fmt::print(stderr, "warning: {} samples were NaN or infinite and were left out of the image\n", stats.nonFinite);
   if (stats.truncatedPaths > 0)
@@ -104,7 +107,7 @@ int runRender(const RenderOptions& options) {
   Accumulated const run = accumulate(*integrator, goal, options.quiet);
 
   Stats const stats = integrator->stats();
-  Settings const settings = resolved(options.scene.settings, scene, stats);
+  const Settings& settings = stats.settings;
   writeImages(options.outputs, integrator->film(), imageMetadata(settings, scene, stats));
   if (!options.json.empty()) writeJson(options.json, statistics(options, scene, settings, stats, run));
   if (run.interrupted) fmt::print(stderr, "stopped early, after {} iterations\n", stats.iterations);

@@ -24,14 +24,6 @@ MetadataValue metadataValue(std::uint64_t value) {
 
 }  // namespace
 
-Settings resolved(Settings settings, const Scene& scene, const Stats& stats) {
-  if (settings.width == 0) settings.width = scene.film.width;
-  if (settings.height == 0) settings.height = scene.film.height;
-  if (settings.radius == 0) settings.radius = stats.firstRadius;
-  if (!stats.accel.empty()) settings.accel = stats.accel;
-  return settings;
-}
-
 nlohmann::ordered_json toJson(Settings settings) {
   nlohmann::ordered_json json;
   settings.params([&](const char* name, const auto& value, const ParamInfo&) { json[name] = value; });
@@ -53,6 +45,11 @@ nlohmann::ordered_json toJson(const Stats& s) {
       {"firstRadius", s.firstRadius},
       {"radius", s.radius},
       {"accel", s.accel},
+      {"treeNodes", s.treeNodes},
+      {"treeLeaves", s.treeLeaves},
+      {"treeDepth", s.treeDepth},
+      {"treeSeconds", s.treeSeconds},
+      {"treeCost", s.treeCost},
       {"kernelRow", s.kernelRow},
       {"device", s.device},
   };

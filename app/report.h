@@ -10,9 +10,6 @@
 
 namespace ropelight {
 
-/// The settings with what was left automatic filled in from the scene and from what the integrator chose.
-Settings resolved(Settings settings, const Scene& scene, const Stats& stats);
-
 nlohmann::ordered_json toJson(Settings settings);
 nlohmann::ordered_json toJson(const Stats& stats);
 

@@ -56,7 +56,7 @@ void assignSetting(Settings& settings, const std::string& key, const std::string
 void addSceneArguments(CLI::App& app, SceneOptions& options) {
   BackendChoice& backend = options.backend;
   addValue(app, "--backend", backend.backend, ParamInfo{"auto (first usable GPU, else the CPU), cuda or cpu"});
-  addValue(app, "--gpu", backend.gpu, ParamInfo{"index of the GPU", 0, 1023});
+  addValue(app, "--gpu", backend.gpu, ParamInfo{"index of the GPU; -1: the first usable one", -1, 1023});
   addValue(app, "--threads", backend.threads, ParamInfo{"CPU threads; 0: all cores", 0, 4096});
   addSettings(app, options.settings);
 }

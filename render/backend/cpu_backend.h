@@ -68,7 +68,6 @@ class Backend {
   const Ledger& ledger() const { return ledger_; }
   int threads() const { return arena_.max_concurrency(); }
   DeviceInfo device() const;
-  std::uint64_t memoryFree() const { return device().memory; }
 
   template <class T>
   void upload(Buffer<T>& to, const T* from, std::size_t count) {

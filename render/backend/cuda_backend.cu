@@ -26,12 +26,6 @@ Backend::~Backend() {
   cudaStreamDestroy(stream_);
 }
 
-std::uint64_t Backend::memoryFree() const {
-  std::size_t free = 0, total = 0;
-  RL_CUDA(cudaMemGetInfo(&free, &total));
-  return free;
-}
-
 void Backend::sortPairs(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, Buffer<std::uint32_t>& keyScratch,
                         Buffer<std::uint32_t>& valueScratch, std::uint32_t n, int bits) {
   if (n == 0) return;

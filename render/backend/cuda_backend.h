@@ -100,7 +100,6 @@ class Backend {
   Ledger& ledger() { return ledger_; }
   const Ledger& ledger() const { return ledger_; }
   const DeviceInfo& device() const { return device_; }
-  std::uint64_t memoryFree() const;
 
   template <class T>
   void upload(Buffer<T>& to, const T* from, std::size_t count) {

@@ -38,8 +38,9 @@ std::vector<DeviceInfo> cudaDevices() {
     DeviceInfo d;
     d.backend = "cuda";
     d.name = "NVIDIA GPU";
-    d.note = fmt::format("{}: the driver is for CUDA {}, this program needs {}; install a newer driver",
-                         cudaGetErrorString(code), versionText(driver), versionText(runtime));
+    d.note = fmt::format("{}: the driver is for CUDA {}, this program needs {}{}", cudaGetErrorString(code),
+                         versionText(driver), versionText(runtime),
+                         code == cudaErrorInsufficientDriver ? "; install a newer driver" : "");
     return {d};
   }
   std::vector<DeviceInfo> devices;

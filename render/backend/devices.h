@@ -14,6 +14,7 @@ std::vector<DeviceInfo> cudaDevices();
 
 struct ChosenBackend {
   bool cuda = false;
+  int gpu = 0;
   std::string why;  ///< one sentence: what was taken and why
 };
 

@@ -72,6 +72,11 @@ class IntegratorBase : public Integrator {
     s.features = prepared_.features;
     s.device = backend_.device().name;
     s.settings = prepared_.settings;
+    s.treeNodes = treeNodes_;
+    s.treeLeaves = treeLeaves_;
+    s.treeDepth = prepared_.tree.stats.depth;
+    s.treeSeconds = prepared_.tree.stats.seconds;
+    s.treeCost = prepared_.tree.stats.sahCost;
     s.bytes = backend_.ledger().bytes();
     s.launches = backend_.ledger().launches();
     s.stageSeconds = backend_.ledger().seconds();
@@ -94,7 +99,10 @@ class IntegratorBase : public Integrator {
     radiance_.allocate(backend_, "film", frame_.slots());
     sum_.allocate(backend_, "film", frame_.slots());
     stateBuffer_.allocate(backend_, "film", 1);
-    prepared_.tree = KdTree{};  // on the device now
+    treeNodes_ = p.tree.nodes.size();
+    treeLeaves_ = p.tree.leaves.size();
+    prepared_.tree = KdTree{};  // on the device now, but for its figures
+    prepared_.tree.stats = p.tree.stats;
     prepared_.flat.triangles = {};
     IntegratorBase::reset();
   }
@@ -124,6 +132,7 @@ class IntegratorBase : public Integrator {
   Buffer<glm::dvec3> sum_;
   Buffer<IterationState> stateBuffer_;
   IterationState state_;  ///< as last seen on the device
+  std::uint64_t treeNodes_ = 0, treeLeaves_ = 0;
   double seconds_ = 0;
   std::uint64_t regrown_ = 0;
 };

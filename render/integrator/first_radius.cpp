@@ -119,8 +119,11 @@ class Pilot {
     std::uint64_t paths = 0;
     for (std::uint32_t batch = 0; batch < mostBatches && photons_.size() < enoughPhotons; ++batch) {
       backend_.forEach(pathBatch, CollectPhotons{frame_, paths, &byPath});
-      for (auto const& p : byPath) photons_.insert(photons_.end(), p.begin(), p.end());
-      paths += pathBatch;
+      for (auto const& p : byPath) {
+        if (photons_.size() >= enoughPhotons) break;
+        photons_.insert(photons_.end(), p.begin(), p.end());
+        ++paths;
+      }
     }
     return paths;
   }

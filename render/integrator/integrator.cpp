@@ -46,7 +46,9 @@ std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& s
                                            std::string* why) {
   ChosenBackend const chosen = chooseBackend(choice);
   if (why) *why = chosen.why;
-  Prepared const prepared = prepare(scene, settings, choice);
+  BackendChoice resolvedChoice = choice;
+  resolvedChoice.gpu = chosen.gpu;
+  Prepared const prepared = prepare(scene, settings, resolvedChoice);
   const MakerRow& maker = makerFor(prepared.settings.mode, rowFor(prepared.features).name);
   return (chosen.cuda ? maker.cuda : maker.cpu)(prepared);
 }

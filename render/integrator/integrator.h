@@ -29,7 +29,12 @@ struct Stats {
   double radius = 0;                 ///< of the latest iteration
   Settings settings;                 ///< resolved: no automatic value is left
   std::string accel;                 ///< tree or brute
-  std::string kernelRow;             ///< the row of variants.h in use
+  std::uint64_t treeNodes = 0;       ///< of the kd-tree; 0 without one
+  std::uint64_t treeLeaves = 0;
+  int treeDepth = 0;
+  double treeSeconds = 0;  ///< to build it
+  double treeCost = 0;     ///< SAH cost in primitive tests
+  std::string kernelRow;   ///< the row of variants.h in use
   std::string device;
   FeatureBits features = 0;
   std::map<std::string, std::uint64_t> bytes;     ///< device memory by purpose
@@ -64,9 +69,9 @@ std::vector<DeviceInfo> listDevices();
 
 struct BackendChoice {
   std::string backend = "auto";  ///< auto, cuda or cpu
-  int gpu = 0;
-  int threads = 0;          ///< CPU threads; 0: all cores
-  bool stageTimes = false;  ///< time every stage on a GPU too, at the cost of a synchronisation each
+  int gpu = -1;                  ///< index; −1: the first usable one
+  int threads = 0;               ///< CPU threads; 0: all cores
+  bool stageTimes = false;       ///< time every stage on a GPU too, at the cost of a synchronisation each
 };
 
 /// The mode names that makeIntegrator takes, in menu order.

@@ -41,8 +41,10 @@ inline PhotonPlan planPhotons(std::uint64_t photons, std::uint64_t budget, doubl
     auto const room = [&](double each) { return std::uint32_t(std::min(4.0e9, double(paths) * each * 1.15 + 1024)); };
     plan.photonCapacity = room(perPath);
     plan.tailCapacity = room(tailPerPath);
-    plan.tableSize = std::bit_ceil(std::clamp(2 * plan.photonCapacity, 1u << 16, 1u << 26));
-    if ((plan.bytes() <= budget && plan.slots() < (1ull << 31)) || paths <= 1024) return plan;
+    plan.tableSize =
+        std::uint32_t(std::bit_ceil(std::clamp<std::uint64_t>(2ull * plan.photonCapacity, 1u << 16, 1u << 26)));
+    bool const numbered = plan.slots() < (1ull << 31) && plan.photonCapacity < (1u << 31);
+    if ((plan.bytes() <= budget && numbered) || paths <= 1024) return plan;
   }
 }
 

@@ -17,12 +17,13 @@ void requireOneOf(const char* name, const std::string& value, const std::vector<
               ExitCode::usage);
 }
 
-void resolve(const Scene& scene, Settings& s) {
+void resolve(const Scene& scene, std::uint32_t primitives, Settings& s) {
   if (s.width == 0) s.width = scene.film.width;
   if (s.height == 0) s.height = scene.film.height;
-  if (std::uint64_t(s.width) * std::uint64_t(s.height) > (1u << 30))
-    throw Error(fmt::format("film: {} x {} pixels; at most 2^30 fit", s.width, s.height), ExitCode::usage);
+  if (std::uint64_t(s.width) * std::uint64_t(s.height) > (1u << 28))
+    throw Error(fmt::format("film: {} x {} pixels; at most 2^28 fit", s.width, s.height), ExitCode::usage);
   if (s.maxDepth == 0) s.maxDepth = hardDepthLimit;
+  if (s.treeDepth == 0) s.treeDepth = automaticTreeDepth(primitives);
 }
 
 }  // namespace
@@ -48,14 +49,14 @@ Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoi
   p.camera = scene.camera;
   p.settings = settings;
   p.backend = backend;
-  resolve(scene, p.settings);
+  resolve(scene, p.flat.primitiveCount(), p.settings);
   p.features = featuresOf(p.flat, p.camera, p.settings);
   if (p.features & feature::tree) {
     KdConfig config;
     config.midpoint = settings.split == "midpoint";
     config.bins = settings.bins;
     config.leafSize = settings.leafSize;
-    config.maxDepth = settings.treeDepth;
+    config.maxDepth = p.settings.treeDepth;
     p.tree = buildKdTree(p.flat, config);
   }
   p.settings.accel = (p.features & feature::tree) ? "tree" : "brute";

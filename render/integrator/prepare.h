@@ -7,7 +7,7 @@
 
 namespace ropelight {
 
-/// Up to this many primitives testing all of them is faster than a tree (docs/benchmarks/first-light.md).
+/// Up to this many primitives testing all of them is faster than a tree (provisional: docs/decisions.md).
 inline constexpr std::uint32_t bruteForceLimit = 24;
 
 struct Prepared {

@@ -18,7 +18,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     if (!hasPhotons()) return;
     points_.allocate(this->backend_, "gather points", this->frame_.slots());
     std::uint64_t const mebibytes = p.settings.photonMemory;
-    budget_ = mebibytes > 0 ? mebibytes << 20 : this->backend_.memoryFree() / 4;
+    budget_ = mebibytes > 0 ? mebibytes << 20 : this->backend_.device().memory / 4;
     makeRoom(2.5, 0.1);
   }
 
@@ -27,6 +27,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     if (!hasPhotons()) return s;
     s.photonPaths = s.iterations * this->prepared_.settings.photons;
     s.chunks = map_.plan().chunks;
+    s.settings.photonMemory = budget_ >> 20;
     s.firstRadius = this->prepared_.settings.radius;
     s.radius = radiusOf(std::max<std::uint64_t>(s.iterations, 1));
     return s;
@@ -51,7 +52,8 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
 
   double radiusOf(std::uint64_t iteration) const {
     const FlatScene& flat = this->prepared_.flat;
-    double const spacing = flat.reach * 4 * double(machineEpsilon);  // below this, positions are not told apart
+    // Positions carry errors of some 8 units in the last place of the scene's extent; a disc must be thicker than that.
+    double const spacing = flat.reach * 96 * double(machineEpsilon);
     return gatherRadius(this->prepared_.settings.radius, this->prepared_.settings.alpha, iteration, spacing);
   }
 

@@ -46,7 +46,7 @@ class DeviceScene {
     view.spheres = convert(spheres_, "spheres", flat.spheres);
     view.triangles = convert(triangles_, "triangles", flat.triangles);
     view.material = copy(material_, "materials", flat.material);
-    view.lightOf = copy(lightOf_, "lights", flat.light);
+    if (!flat.lights.empty()) view.lightOf = copy(lightOf_, "lights", flat.light);
     view.materials = convert(materials_, "materials", flat.materials);
     view.primitiveCount = flat.primitiveCount();
     uploadLights(flat);

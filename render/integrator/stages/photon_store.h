@@ -13,9 +13,12 @@ struct DepositCount {
   std::uint32_t tail = 0;    ///< those beyond the stripe
   std::uint32_t longer = 0;  ///< 1 where there is a tail
 
+  /// Saturating: a sum past 2³² − 1 must not look as if it fitted.
   RL_HD DepositCount operator+(const DepositCount& o) const {
-    return DepositCount{all + o.all, tail + o.tail, longer + o.longer};
+    return DepositCount{sum(all, o.all), sum(tail, o.tail), longer + o.longer};
   }
+
+  RL_HD static std::uint32_t sum(std::uint32_t a, std::uint32_t b) { return a + b < a ? 0xFFFFFFFFu : a + b; }
 };
 
 /// Shared by the stages of an iteration. Sticky: once `halt` is set nothing is committed until the host has made room.

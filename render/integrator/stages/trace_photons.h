@@ -31,7 +31,7 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
       Vec3 const wo = local.toLocal(-ray.direction);
       if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
         // One edge from the light is direct light, which shadow rays have unless photons are to carry it.
-        if (edges > 1 || !frame.shadowRays)
+        if (edges > 1 || !(frame.shadowRays || frame.indirectOnly))
           deposit(count++, PhotonPosition{s.p, packDirection(wo.z < 0 ? -s.n : s.n)},
                   PhotonPower{flux, std::uint32_t(edges)});
       }
@@ -117,14 +117,16 @@ struct TraceTails {
   RL_HD void operator()(std::uint32_t i, Tally& tally) const {
     if (store.state[0].halt || i >= store.offsets[store.paths].longer) return;
     std::uint32_t const path = store.longPaths[i];
+    Tally again;  // the first tracing has counted truncation
     tracePhotonPath<F>(
         frame, firstPath + path, pathsPerIteration,
         [&](std::uint32_t deposit, const PhotonPosition& position, const PhotonPower& power) {
-          if (deposit < store.stripe) return;
+          if (deposit < store.stripe || deposit >= store.counts[path].all) return;
           store.positions[store.slotOf(path, deposit)] = position;
           store.powers[store.slotOf(path, deposit)] = power;
         },
-        tally);
+        again);
+    tally.rays += again.rays;
   }
 };
 
