@@ -131,7 +131,7 @@ TEST_CASE("ray is sppm without its photons") {
   CHECK(meanOf(renderImage(scene, settingsFor("ray", 48, 32), 64)) == doctest::Approx(byPath).epsilon(0.01));
 }
 
-TEST_CASE("a depth limit means the same in path and sppm") {
+TEST_CASE("a depth limit means the same in path and sppm" * doctest::test_suite("slow")) {
   Scene const scene = fromOracle(oracle::boxSpheresDiffuse(32, 32));
   for (int depth : {2, 3, 4, 6}) {
     CAPTURE(depth);
@@ -143,7 +143,7 @@ TEST_CASE("a depth limit means the same in path and sppm") {
   }
 }
 
-TEST_CASE("k nearest and a fixed radius estimate the same light") {
+TEST_CASE("k nearest and a fixed radius estimate the same light" * doctest::test_suite("slow")) {
   Scene const scene = fromOracle(oracle::diffuseBox(48, 48));
   Settings radius = progressive();
   radius.width = radius.height = 48;

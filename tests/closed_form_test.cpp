@@ -40,7 +40,7 @@ Scene furnace(float albedo) {
 
 }  // namespace
 
-TEST_CASE("a closed furnace shows 1/(1 - albedo) in path and sppm") {
+TEST_CASE("a closed furnace shows 1/(1 - albedo) in path and sppm" * doctest::test_suite("slow")) {
   for (float albedo : {0.2f, 0.5f, 0.8f}) {
     CAPTURE(albedo);
     double const expected = 1 / (1 - double(albedo));
@@ -98,7 +98,7 @@ TEST_CASE("irradiance under a quad light has the closed form") {
   }
 }
 
-TEST_CASE("photons carry the direct light of shadow rays") {
+TEST_CASE("photons carry the direct light of shadow rays" * doctest::test_suite("slow")) {
   Scene scene = emptyScene(0.7f);
   addFloor(scene);
   addQuad(scene, {-0.6, 1.5, -0.4}, {1.2, 0, 0}, {0, 0, 0.8}).emission = Emission{Rgb(2), Side::out};
@@ -115,7 +115,7 @@ TEST_CASE("photons carry the direct light of shadow rays") {
   CHECK(meanOf(renderImage(scene, photons, 24)) == doctest::Approx(expected).epsilon(0.005));
 }
 
-TEST_CASE("the caustic of a plane mirror is the light of its image source") {
+TEST_CASE("the caustic of a plane mirror is the light of its image source" * doctest::test_suite("slow")) {
   // A vertical mirror at x = 1; the light near it faces down. The image of the light stands at 2 − x.
   Scene scene = emptyScene(1);
   addFloor(scene);
