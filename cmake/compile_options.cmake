@@ -1,7 +1,7 @@
 # Flags of all our code. No flag here may change a value: results are the same bits at every optimisation level.
 function(ropelight_compile_options target)
   # Fused multiply-adds would break the exactness that edge tests rely on; errno and traps nobody reads.
-  set(host -ffp-contract=off -fno-math-errno -fno-trapping-math -Wall -Wextra -Wshadow -Wundef)
+  set(host -ffp-contract=off -fno-math-errno -fno-trapping-math -Wall -Wextra -Wshadow)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     list(APPEND host -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
   endif()
@@ -20,7 +20,7 @@ function(ropelight_compile_options target)
 
   list(JOIN host "," host_for_nvcc)
   target_compile_options(${target} PRIVATE
-    "$<$<COMPILE_LANGUAGE:CXX>:${host};-Wpedantic>"
+    "$<$<COMPILE_LANGUAGE:CXX>:${host};-Wpedantic;-Wundef>"
     "$<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr;-lineinfo>"
     "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=${host_for_nvcc}>")
 endfunction()

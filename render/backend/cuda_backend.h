@@ -21,7 +21,7 @@ struct Plus {
 
 /// Sum over a full warp, valid in lane 0.
 __device__ inline std::uint32_t warpSum(std::uint32_t value) {
-#if __CUDA_ARCH__ >= 800
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 800
   return __reduce_add_sync(0xFFFFFFFFu, value);
 #else
   for (int step = 16; step > 0; step /= 2) value += __shfl_down_sync(0xFFFFFFFFu, value, step);
