@@ -14,6 +14,8 @@ struct KdConfig {
   int maxDepth = 0;          ///< 0: 8 + 1.3 log2(primitives)
   double traversalCost = 1;  ///< of one inner node, in units of one primitive test
   double emptyBonus = 0.2;   ///< share of the cost taken off a split that cuts off empty space
+
+  bool operator==(const KdConfig&) const = default;
 };
 
 /// 8 + 1.3 log2(primitives), the depth that Havran (2000) found to suffice.

@@ -38,10 +38,12 @@ struct PhotonPosition {
   std::uint32_t normal;
 };
 
-/// What an accepted photon adds. flux: watts. edges: of its path from the light.
+/// What an accepted photon adds. flux: watts. edges: of its path from the light. caustic: 1 where all earlier bounces
+/// were specular, and there was one.
 struct PhotonPower {
   Rgb flux;
-  std::uint32_t edges;
+  std::uint32_t edges : 31 = 0;
+  std::uint32_t caustic : 1 = 0;
 };
 
 struct CellRange {

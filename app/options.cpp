@@ -62,6 +62,16 @@ using Arguments = std::vector<std::string>;
 Command parseView(const char* name, const char* doc, Arguments arguments) {
   return parse<ViewOptions>(name, doc, std::move(arguments), [](CLI::App& app, ViewOptions& o) {
     addSceneName(app, o.scene.scene);
+    addFile(app, "--reference", o.reference, ".exr or .png to measure errors against");
+    app.add_flag("--watch", o.watch, "load the scene again when its files change");
+    addValue(app, "--frames", o.frames, ParamInfo{"end after N frames of one iteration each", 1, 1e12});
+    addFile(app, "--screenshot", o.screenshot, "PNG of the whole window at the end");
+    addFile(app, "--state", o.state, "JSON of what the window shows at the end");
+    addFile(app, "--script", o.script, "input to play, one command a line");
+    app.add_flag("--no-interop", o.noInterop, "copy pixels through host memory");
+    addValue(app, "--ui-scale", o.uiScale, ParamInfo{"of text and spacing, beyond the monitor's own", 0.5, 4});
+    app.add_option("--window", o.window, "WIDTHxHEIGHT of the window")->type_name("")->take_last();
+    app.add_flag("--no-preferences", o.noPreferences, "neither read nor write what is kept between runs");
     addSceneArguments(app, o.scene);
   });
 }

@@ -45,7 +45,7 @@ TEST_CASE("the stages order the photons by cell, tails included, and leave the r
   for (std::uint32_t p = 0; p < paths; ++p)
     for (std::uint32_t j = 0; j < counts[p].all; ++j) {
       std::uint32_t const slot = store.slotOf(p, j);
-      CHECK(slotPowers.at(slot).edges == 0);  // no slot twice
+      CHECK((slotPowers.at(slot).edges == 0));  // no slot twice
       points.push_back(Vec3(random.inBox(1)));
       slotPositions[slot] = {points.back(), 0};
       slotPowers[slot] = {Rgb(1.0f), std::uint32_t(points.size())};

@@ -52,19 +52,19 @@ class HostScene {
   HostScene(const FlatScene& flat, const KdConfig& config) : HostScene(prepared(flat, &config)) {}
 
   const cpu::SceneView& view() const { return device_.view; }
-  const FlatScene& flat() const { return prepared_.flat; }
-  const KdTree& tree() const { return prepared_.tree; }
+  const FlatScene& flat() const { return *prepared_.flat; }
+  const KdTree& tree() const { return *prepared_.tree; }
 
  private:
   explicit HostScene(Prepared p) : prepared_(std::move(p)), backend_(BackendChoice{}), device_(backend_, prepared_) {}
 
   static Prepared prepared(const FlatScene& flat, const KdConfig* config = nullptr) {
     Prepared p;
-    p.flat = flat;
+    p.flat = std::make_shared<FlatScene>(flat);
     p.features = feature::all & ~feature::tree;
     if (config) {
       p.features |= feature::tree;
-      p.tree = buildKdTree(flat, *config);
+      p.tree = std::make_shared<KdTree>(buildKdTree(flat, *config));
     }
     return p;
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "render/film/metrics.h"
 
@@ -115,7 +116,7 @@ Settings settingsFor(const std::string& mode, int width, int height) {
 Image renderImage(const Scene& scene, const Settings& settings, int iterations, Stats* stats,
                   const BackendChoice& backend) {
   auto const integrator = makeIntegrator(scene, settings, backend);
-  integrator->advance(iterations);
+  if (!integrator->advance(iterations)) throw std::runtime_error("interrupted by nobody");
   if (stats) *stats = integrator->stats();
   return integrator->film();
 }

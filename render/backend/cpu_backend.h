@@ -8,6 +8,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstring>
 #include <memory>
@@ -35,6 +36,7 @@ class Backend {
 
     /// Throws std::bad_alloc and keeps nothing where the memory cannot be had.
     void allocate(Backend& backend, const char* purpose, std::size_t size) {
+      if (size == size_) return;
       release();
       if (size == 0) return;
       data_.reset(new T[size]);
@@ -85,10 +87,12 @@ class Backend {
   /// Calls stage(i, tally) for i in [0, n), in no order.
   template <class Stage>
   void forEach(std::uint32_t n, const Stage& stage) {
+    if (interrupted()) return;
     auto const start = begin(Stage::name);
     arena_.execute([&] {
       using Range = oneapi::tbb::blocked_range<std::uint32_t>;
       oneapi::tbb::parallel_for(Range(0, n, Stage::grain), [&](const Range& range) {
+        if (interrupted()) return;
         Tally tally;
         for (std::uint32_t i = range.begin(); i != range.end(); ++i) stage(i, tally);
         tallies_.local().add(tally);
@@ -100,6 +104,7 @@ class Backend {
   /// out[i] = in[0] + … + in[i−1]; the sum of all goes to out[n].
   template <class T>
   void exclusiveScan(const Buffer<T>& in, Buffer<T>& out, std::uint32_t n) {
+    if (interrupted()) return;
     auto const start = begin("Scan");
     T sum{};
     const T* from = in.view().data;
@@ -116,6 +121,7 @@ class Backend {
   /// Sorts pairs by the low `bits` of their keys, stable. keys and values hold the result; the others are scratch.
   void sortPairs(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, Buffer<std::uint32_t>& keyScratch,
                  Buffer<std::uint32_t>& valueScratch, std::uint32_t n, int bits) {
+    if (interrupted()) return;
     auto const start = begin("Sort");
     arena_.execute([&] {
       radixSortPairs(keys.span().data, values.span().data, keyScratch.span().data, valueScratch.span().data, n, bits,
@@ -125,6 +131,20 @@ class Backend {
   }
 
   void synchronize() {}
+  void activate() const {}
+  void timeStages(bool) {}  // always measured
+  int gpu() const { return -1; }
+
+  /// From any thread: stages do nothing from now on, the running one included, until resume().
+  void interrupt() { interrupted_ = true; }
+  bool interrupted() const { return interrupted_.load(std::memory_order_relaxed); }
+  void resume() { interrupted_ = false; }
+
+  /// For another thread than the one that runs stages; waits until the copy is done.
+  template <class T>
+  void copyOut(void* to, const Buffer<T>& from, std::size_t count) const {
+    if (count > 0) std::memcpy(to, from.view().data, count * sizeof(T));
+  }
 
   TallyTotals tallies() const {
     TallyTotals sum;
@@ -145,6 +165,7 @@ class Backend {
   }
 
   Ledger ledger_;
+  std::atomic<bool> interrupted_ = false;
   oneapi::tbb::global_control limit_;  // lets the arena have more threads than there are cores
   oneapi::tbb::task_arena arena_;
   oneapi::tbb::enumerable_thread_specific<TallyTotals> tallies_;

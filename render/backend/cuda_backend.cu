@@ -12,6 +12,9 @@ Backend::Backend(const BackendChoice& choice) {
   for (const DeviceInfo& d : cudaDevices())
     if (d.index == choice.gpu) device_ = d;
   RL_CUDA(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking));
+  int least = 0, greatest = 0;
+  RL_CUDA(cudaDeviceGetStreamPriorityRange(&least, &greatest));
+  RL_CUDA(cudaStreamCreateWithPriority(&copyStream_, cudaStreamNonBlocking, greatest));  // what is shown goes first
   RL_CUDA(cudaEventCreate(&before_));
   RL_CUDA(cudaEventCreate(&after_));
   timed_ = choice.stageTimes;
@@ -20,7 +23,9 @@ Backend::Backend(const BackendChoice& choice) {
 }
 
 Backend::~Backend() {
+  cudaSetDevice(device_.index);
   cudaStreamSynchronize(stream_);
+  cudaStreamDestroy(copyStream_);
   cudaEventDestroy(before_);
   cudaEventDestroy(after_);
   cudaStreamDestroy(stream_);
@@ -28,7 +33,7 @@ Backend::~Backend() {
 
 void Backend::sortPairs(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, Buffer<std::uint32_t>& keyScratch,
                         Buffer<std::uint32_t>& valueScratch, std::uint32_t n, int bits) {
-  if (n == 0) return;
+  if (n == 0 || interrupted()) return;
   ledger_.launched("Sort");
   Timer const timer(*this, "Sort");
   cub::DoubleBuffer<std::uint32_t> k(keys.span().data, keyScratch.span().data);

@@ -4,6 +4,8 @@
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 
+#include <atomic>
+
 #include "render/backend/cuda_check.h"
 #include "render/backend/ledger.h"
 #include "render/backend/tally.h"
@@ -62,6 +64,7 @@ class Backend {
 
     /// Throws std::bad_alloc and keeps nothing where the memory cannot be had.
     void allocate(Backend& backend, const char* purpose, std::size_t size) {
+      if (size == size_) return;
       release();
       if (size == 0) return;
       if (cudaMalloc(&data_, size * sizeof(T)) != cudaSuccess) {
@@ -120,7 +123,7 @@ class Backend {
 
   template <class Stage>
   void forEach(std::uint32_t n, const Stage& stage) {
-    if (n == 0) return;
+    if (n == 0 || interrupted()) return;
     ledger_.launched(Stage::name);
     constexpr std::uint32_t threads = 128;
     Timer const timer(*this, Stage::name);
@@ -131,6 +134,7 @@ class Backend {
   /// out[i] = in[0] + … + in[i−1]; the sum of all goes to out[n]. `in` has room for n elements, out for n + 1.
   template <class T>
   void exclusiveScan(const Buffer<T>& in, Buffer<T>& out, std::uint32_t n) {
+    if (interrupted()) return;
     ledger_.launched("Scan");
     Timer const timer(*this, "Scan");
     RL_CUDA(cudaMemsetAsync(out.span().data, 0, sizeof(T), stream_));
@@ -145,6 +149,25 @@ class Backend {
                  Buffer<std::uint32_t>& valueScratch, std::uint32_t n, int bits);
 
   void synchronize() const { RL_CUDA(cudaStreamSynchronize(stream_)); }
+
+  /// Makes this device the calling thread's.
+  void activate() const { RL_CUDA(cudaSetDevice(device_.index)); }
+  void timeStages(bool on) { timed_ = on; }
+  int gpu() const { return device_.index; }
+
+  /// From any thread: no stage is launched from now on until resume().
+  void interrupt() { interrupted_ = true; }
+  bool interrupted() const { return interrupted_.load(std::memory_order_relaxed); }
+  void resume() { interrupted_ = false; }
+
+  /// For another thread than the one that launches stages, to host or device memory; waits until the copy is done.
+  template <class T>
+  void copyOut(void* to, const Buffer<T>& from, std::size_t count) const {
+    activate();
+    if (count == 0) return;
+    RL_CUDA(cudaMemcpyAsync(to, from.view().data, count * sizeof(T), cudaMemcpyDefault, copyStream_));
+    RL_CUDA(cudaStreamSynchronize(copyStream_));
+  }
 
   TallyTotals tallies() const {
     TallyTotals t;
@@ -171,9 +194,10 @@ class Backend {
 
   Ledger ledger_;
   DeviceInfo device_;
-  cudaStream_t stream_ = nullptr;
+  cudaStream_t stream_ = nullptr, copyStream_ = nullptr;
   cudaEvent_t before_ = nullptr, after_ = nullptr;
   bool timed_ = false;
+  std::atomic<bool> interrupted_ = false;
   Buffer<TallyTotals> totals_;
   Buffer<unsigned char> scratch_;
 };

@@ -9,6 +9,8 @@ namespace ropelight::RL_TARGET {
 /// What a path carries: radiance from the camera, flux from a light. Refraction treats them differently.
 enum class Transport : std::uint8_t { radiance, flux };
 
+/// Every BSDF has eval, pdf, sample and directionalAlbedo(wo): the share of light from wo that it scatters to all
+/// sides.
 struct BsdfSample {
   Vec3 wi{0, 0, 1};
   Rgb weight{0.0f};        ///< f·|cos θ_i| / pdf

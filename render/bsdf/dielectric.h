@@ -46,6 +46,12 @@ struct Dielectric : DielectricParams {
   using Params = DielectricParams;
   static constexpr bool specular = true;
 
+  RL_HD Rgb directionalAlbedo(Vec3 wo) const {
+    Real cosT;
+    float const reflected = float(fresnelDielectric(abs(wo.z), wo.z > 0 ? Real(ior) : 1 / Real(ior), cosT));
+    return reflectance * reflected + transmittance * (1 - reflected);
+  }
+
   RL_HD Rgb eval(Vec3, Vec3) const { return Rgb(0.0f); }
   RL_HD Real pdf(Vec3, Vec3) const { return 0; }
 

@@ -28,6 +28,8 @@ struct Diffuse : DiffuseParams {
   using Params = DiffuseParams;
   static constexpr bool specular = false;
 
+  RL_HD Rgb directionalAlbedo(Vec3 /*wo*/) const { return albedo; }
+
   RL_HD Rgb eval(Vec3 wo, Vec3 wi) const { return wo.z * wi.z > 0 ? albedo * float(invPi) : Rgb(0.0f); }
 
   RL_HD Real pdf(Vec3 wo, Vec3 wi) const { return wo.z * wi.z > 0 ? cosineHemispherePdf(abs(wi.z)) : Real(0); }

@@ -27,6 +27,8 @@ struct Mirror : MirrorParams {
   using Params = MirrorParams;
   static constexpr bool specular = true;
 
+  RL_HD Rgb directionalAlbedo(Vec3 /*wo*/) const { return reflectance; }
+
   RL_HD Rgb eval(Vec3, Vec3) const { return Rgb(0.0f); }
   RL_HD Real pdf(Vec3, Vec3) const { return 0; }
 

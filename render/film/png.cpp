@@ -29,6 +29,13 @@ void appendBytes(void* file, void* data, int size) {
   static_cast<std::string*>(file)->append(static_cast<const char*>(data), std::size_t(size));
 }
 
+void checkSize(const std::filesystem::path& path, int width, int height) {
+  const std::size_t pixels = std::size_t(width) * std::size_t(height);
+  if (pixels == 0 || pixels > maxBytes / 3)
+    throw Error(fmt::format("{}: an image of {} x {} pixels does not fit into a PNG here; write .exr instead",
+                            path.string(), width, height));
+}
+
 /// The sRGB chunk (PNG 3rd edition, §11.3.2.5; perceptual intent), whose place is behind signature and IHDR.
 void markAsSrgb(std::string& file) {
   constexpr std::size_t behindHeader = 8 + 25;
@@ -40,16 +47,19 @@ void markAsSrgb(std::string& file) {
 
 std::uint64_t writePng(const std::filesystem::path& path, const Image& image, const Tonemap& tonemap) {
   assert(image.pixels.size() == std::size_t(image.width) * std::size_t(image.height));
-  if (image.pixels.empty() || image.pixels.size() > maxBytes / 3)
-    throw Error(fmt::format("{}: an image of {} x {} pixels does not fit into a PNG here; write .exr instead",
-                            path.string(), image.width, image.height));
+  checkSize(path, image.width, image.height);
   const ScreenImage screen = toScreen(image, tonemap);
+  writeScreenPng(path, image.width, image.height, screen.bytes);
+  return screen.nonFinite;
+}
+
+void writeScreenPng(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> bytes) {
+  assert(bytes.size() == std::size_t(width) * std::size_t(height) * 3);
+  checkSize(path, width, height);
   std::string file;
-  if (!stbi_write_png_to_func(appendBytes, &file, image.width, image.height, 3, screen.bytes.data(), image.width * 3))
-    throw std::bad_alloc();
+  if (!stbi_write_png_to_func(appendBytes, &file, width, height, 3, bytes.data(), width * 3)) throw std::bad_alloc();
   markAsSrgb(file);
   writeFile(path, file);
-  return screen.nonFinite;
 }
 
 Image readPng(const std::filesystem::path& path) {

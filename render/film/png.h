@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 
 #include "render/film/image.h"
 #include "render/film/tonemap.h"
@@ -12,6 +13,9 @@ namespace ropelight {
 /// Writes the image tone-mapped, 8 bits a channel, marked as sRGB. Returns the count of non-finite pixels, shown black.
 /// Throws Error as writeFile does, and for images of more than 1 GiB of bytes.
 std::uint64_t writePng(const std::filesystem::path& path, const Image& image, const Tonemap& tonemap = {});
+
+/// Writes bytes that are screen values already: width·height·3, row 0 at the top. Throws Error as writePng does.
+void writeScreenPng(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> bytes);
 
 /// Reads a PNG as linear Rec. 709, its values in [0, 1] taken as sRGB, a grey image spread over the three channels and
 /// opacity ignored. Throws Error (badInput) for a file that is missing, damaged or of another format.

@@ -6,6 +6,7 @@
 #include "render/integrator/prepare.h"
 #include "render/integrator/stages/commit.h"
 #include "render/integrator/stages/frame.h"
+#include "render/integrator/stages/resolve.h"
 #include "render/integrator/variants.h"
 #include "render/scene/upload.h"
 
@@ -17,7 +18,8 @@ class IntegratorBase : public Integrator {
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 
-  void advance(int count) final {
+  bool advance(int count) final {
+    backend_.activate();
     auto const start = std::chrono::steady_clock::now();
     std::uint64_t const target = state_.committed + std::uint64_t(count);
     while (state_.committed < target) {
@@ -27,14 +29,20 @@ class IntegratorBase : public Integrator {
         frame_.iteration = std::uint32_t(state_.committed + i);
         iterate(state_.committed + i);
       }
+      backend_.synchronize();
+      if (backend_.interrupted()) return false;
       backend_.download(&state_, stateBuffer_, 1);
       if (state_.halt) recover();
     }
-    backend_.synchronize();
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return true;
   }
 
+  void interrupt() final { backend_.interrupt(); }
+
   void reset() override {
+    backend_.activate();
+    backend_.resume();
     state_ = IterationState{};
     backend_.upload(stateBuffer_, &state_, 1);
     backend_.clear(sum_);
@@ -44,7 +52,37 @@ class IntegratorBase : public Integrator {
     regrown_ = 0;
   }
 
+  bool restart(const CameraDesc& camera, const Settings& settings) final {
+    std::optional<Prepared> next = prepareAgain(prepared_, camera, settings);
+    if (!next) return false;
+    backend_.activate();
+    prepared_ = std::move(*next);
+    configure();
+    settingsChanged();
+    reset();
+    return true;
+  }
+
+  void timeStages(bool on) final { backend_.timeStages(on); }
+  std::shared_ptr<const KdTree> tree() const final { return prepared_.tree; }
+  int gpu() const final { return backend_.gpu(); }
+
+  bool present() final {
+    backend_.activate();
+    std::size_t const pixels = std::size_t(frame_.width) * std::size_t(frame_.height);
+    display_.allocate(backend_, "display", pixels);
+    double const scale = state_.committed > 0 ? 1.0 / double(state_.committed) : 0.0;
+    backend_.forEach(frame_.slots(), ResolveFilm{frame_, scale, sum_.view(), display_.span()});
+    backend_.synchronize();
+    return !backend_.interrupted();
+  }
+  void copyPixels(void* to) const final { backend_.copyOut(to, display_, display_.size()); }
+
+  std::uint32_t presentPhotons(std::uint32_t) override { return 0; }
+  void copyPhotons(PhotonPoint*, std::uint32_t) const override {}
+
   Image film() const override {
+    backend_.activate();
     std::vector<glm::dvec3> sums(frame_.slots());
     backend_.download(sums.data(), sum_, sums.size());
     Image image(frame_.width, frame_.height);
@@ -57,6 +95,7 @@ class IntegratorBase : public Integrator {
   }
 
   Stats stats() const override {
+    backend_.activate();
     Stats s;
     TallyTotals const t = backend_.tallies();
     s.iterations = state_.committed;
@@ -72,11 +111,13 @@ class IntegratorBase : public Integrator {
     s.features = prepared_.features;
     s.device = backend_.device().name;
     s.settings = prepared_.settings;
-    s.treeNodes = treeNodes_;
-    s.treeLeaves = treeLeaves_;
-    s.treeDepth = prepared_.tree.stats.depth;
-    s.treeSeconds = prepared_.tree.stats.seconds;
-    s.treeCost = prepared_.tree.stats.sahCost;
+    if (const KdTree* tree = prepared_.tree.get()) {
+      s.treeNodes = tree->nodes.size();
+      s.treeLeaves = tree->leaves.size();
+      s.treeDepth = tree->stats.depth;
+      s.treeSeconds = tree->stats.seconds;
+      s.treeCost = tree->stats.sahCost;
+    }
     s.bytes = backend_.ledger().bytes();
     s.launches = backend_.ledger().launches();
     s.stageSeconds = backend_.ledger().seconds();
@@ -85,27 +126,14 @@ class IntegratorBase : public Integrator {
 
  protected:
   explicit IntegratorBase(const Prepared& p) : prepared_(p), backend_(p.backend), scene_(backend_, p) {
-    const Settings& s = prepared_.settings;
     frame_.scene = scene_.view;
-    frame_.camera = makeCamera(p.camera, s.width, s.height);
-    frame_.width = s.width;
-    frame_.height = s.height;
-    frame_.sampler = s.sampler == IndependentSampler::name ? Samplers::indexOf<IndependentSampler>()
-                                                           : Samplers::indexOf<SobolSampler>();
-    frame_.maxDepth = s.maxDepth;
-    frame_.seed = s.seed;
-    frame_.indirectOnly = s.indirectOnly;
-    frame_.shadowRays = !(s.mode == "sppm" && s.direct == "photons");
-    radiance_.allocate(backend_, "film", frame_.slots());
-    sum_.allocate(backend_, "film", frame_.slots());
     stateBuffer_.allocate(backend_, "film", 1);
-    treeNodes_ = p.tree.nodes.size();
-    treeLeaves_ = p.tree.leaves.size();
-    prepared_.tree = KdTree{};  // on the device now, but for its figures
-    prepared_.tree.stats = p.tree.stats;
-    prepared_.flat.triangles = {};
+    configure();
     IntegratorBase::reset();
   }
+
+  /// After restart() has taken other settings, and before the film is emptied.
+  virtual void settingsChanged() {}
 
   /// Queues iteration i (from 0), ending with commit().
   virtual void iterate(std::uint64_t i) = 0;
@@ -115,6 +143,23 @@ class IntegratorBase : public Integrator {
   void commit() {
     backend_.forEach(frame_.slots(), CommitFilm{radiance_.view(), sum_.span(), stateBuffer_.view()});
     backend_.forEach(1, EndIteration{stateBuffer_.span()});
+  }
+
+  /// What the camera and the settings decide.
+  void configure() {
+    const Settings& s = prepared_.settings;
+    frame_.camera = makeCamera(prepared_.camera, s.width, s.height);
+    frame_.width = s.width;
+    frame_.height = s.height;
+    frame_.sampler = s.sampler == IndependentSampler::name ? Samplers::indexOf<IndependentSampler>()
+                                                           : Samplers::indexOf<SobolSampler>();
+    frame_.maxDepth = s.maxDepth;
+    frame_.seed = s.seed;
+    frame_.indirectOnly = s.indirectOnly;
+    frame_.shadowRays = !(s.mode == "sppm" && s.direct == "photons");
+    frame_.dark = s.aov != "radiance";
+    radiance_.allocate(backend_, "film", frame_.slots());
+    sum_.allocate(backend_, "film", frame_.slots());
   }
 
   void clearHalt() {
@@ -132,7 +177,7 @@ class IntegratorBase : public Integrator {
   Buffer<glm::dvec3> sum_;
   Buffer<IterationState> stateBuffer_;
   IterationState state_;  ///< as last seen on the device
-  std::uint64_t treeNodes_ = 0, treeLeaves_ = 0;
+  Buffer<DisplayPixel> display_;
   double seconds_ = 0;
   std::uint64_t regrown_ = 0;
 };

@@ -149,7 +149,7 @@ class Pilot {
 }  // namespace
 
 double automaticRadius(const Prepared& p) {
-  const FlatScene& flat = p.flat;
+  const FlatScene& flat = *p.flat;
   Vec3d const center = 0.5 * (flat.bounds.min + flat.bounds.max);
   double const distance = glm::length(center - p.camera.position);
   double const footprint = 2 * distance * std::tan(glm::radians(p.camera.verticalFov) / 2) / p.settings.height;

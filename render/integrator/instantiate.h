@@ -2,6 +2,7 @@
 // The body of a generated translation unit, which has included its backend: one maker.
 
 #include "render/core/error.h"
+#include "render/integrator/aov.h"
 #include "render/integrator/factory.h"
 #include "render/integrator/path.h"
 #include "render/integrator/ray.h"
@@ -15,6 +16,8 @@ template <FeatureBits F>
 using Integrator_path = PathIntegrator<Backend, F>;
 template <FeatureBits F>
 using Integrator_sppm = SppmIntegrator<Backend, F>;
+template <FeatureBits F>
+using Integrator_aov = AovIntegrator<Backend, F>;
 
 }  // namespace ropelight::RL_TARGET
 

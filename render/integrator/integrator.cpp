@@ -36,20 +36,21 @@ const MakerRow& makerFor(const std::string& mode, const std::string& row) {
 
 std::vector<std::string> modeNames() {
   std::vector<std::string> names;
-#define RL_NAME(mode) names.push_back(#mode);
-  RL_MODES(RL_NAME)
-#undef RL_NAME
+  Settings().params([&](const std::string& name, const auto&, const ParamInfo& info) {
+    if (name == "mode") names = choicesOf(info);
+  });
   return names;
 }
 
 std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& settings, const BackendChoice& choice,
-                                           std::string* why) {
+                                           std::string* why, std::shared_ptr<SceneCache> cache) {
   ChosenBackend const chosen = chooseBackend(choice);
   if (why) *why = chosen.why;
   BackendChoice resolvedChoice = choice;
   resolvedChoice.gpu = chosen.gpu;
-  Prepared const prepared = prepare(scene, settings, resolvedChoice);
-  const MakerRow& maker = makerFor(prepared.settings.mode, rowFor(prepared.features).name);
+  if (!cache) cache = makeSceneCache(scene);
+  Prepared const prepared = prepare(scene, settings, resolvedChoice, *cache);
+  const MakerRow& maker = makerFor(integratorName(prepared.settings), rowFor(prepared.features).name);
   return (chosen.cuda ? maker.cuda : maker.cpu)(prepared);
 }
 

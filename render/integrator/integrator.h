@@ -42,16 +42,49 @@ struct Stats {
   std::map<std::string, double> stageSeconds;     ///< stage name → seconds, where measured
 };
 
+/// A photon as a vertex buffer holds it.
+struct PhotonPoint {
+  float position[3];
+  float flux[3];          ///< watts
+  std::uint32_t bounce;   ///< edges of its path from the light; 1: direct
+  std::uint32_t caustic;  ///< 1 where the light reached it through specular bounces alone, at least one
+};
+
+struct KdTree;
+
+/// One thread at a time may call it; interrupt() alone may come from any other.
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// Adds `count` iterations to the film. Returns when they are committed.
-  virtual void advance(int count) = 0;
+  /// Adds `count` iterations to the film and returns true when they are committed. False after interrupt(): only
+  /// reset() and restart() may follow.
+  virtual bool advance(int count) = 0;
+  /// Makes an advance() that is running, or the next one, return early.
+  virtual void interrupt() = 0;
   /// Starts again with an empty film and the same settings.
   virtual void reset() = 0;
+  /// Starts again with another camera and other settings, keeping the scene and its tree. False, with nothing changed,
+  /// where they need another integrator. Throws Error (usage) for settings that contradict each other.
+  virtual bool restart(const CameraDesc& camera, const Settings& settings) = 0;
+  /// Measures every stage on a GPU too, at the cost of a synchronisation each.
+  virtual void timeStages(bool on) = 0;
   /// The mean of all iterations, linear radiance.
   virtual Image film() const = 0;
   virtual Stats stats() const = 0;
+  /// The tree that rays go through; empty where every primitive is tested.
+  virtual std::shared_ptr<const KdTree> tree() const = 0;
+
+  /// Makes the mean of all iterations ready for copyPixels. False after interrupt().
+  virtual bool present() = 0;
+  /// Copies what present() made: width·height RGBA in 32-bit floats (A: 1), row by row from the top. `to` is host
+  /// memory, or memory of the integrator's GPU.
+  virtual void copyPixels(void* to) const = 0;
+  /// Makes at most `most` photons of the latest iteration ready for copyPhotons, evenly chosen; how many there are.
+  virtual std::uint32_t presentPhotons(std::uint32_t most) = 0;
+  /// Copies the first `count` of what presentPhotons made; `to` as above.
+  virtual void copyPhotons(PhotonPoint* to, std::uint32_t count) const = 0;
+  /// Index of the GPU whose memory it uses; −1: host memory.
+  virtual int gpu() const = 0;
 };
 
 /// A usable device, or why it cannot be used.
@@ -74,14 +107,19 @@ struct BackendChoice {
   bool stageTimes = false;       ///< time every stage on a GPU too, at the cost of a synchronisation each
 };
 
+/// What integrators of one scene may share: its flat form, and the trees built so far (the latest few). Any thread may
+/// use it.
+class SceneCache;
+std::shared_ptr<SceneCache> makeSceneCache(const Scene& scene);
+
 /// The mode names that makeIntegrator takes, in menu order.
 std::vector<std::string> modeNames();
 
 /// Flattens the scene, builds the acceleration structure and allocates the buffers that its features ask for.
 /// `auto` takes the first usable GPU, else the CPU; `why` (if given) says which and why.
 /// Throws Error: noDevice where the backend asked for cannot be used, outOfMemory where buffers do not fit, usage for
-/// settings that contradict each other.
+/// settings that contradict each other. `cache`, of the same scene, saves the work that it already holds.
 std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& settings, const BackendChoice& choice,
-                                           std::string* why = nullptr);
+                                           std::string* why = nullptr, std::shared_ptr<SceneCache> cache = nullptr);
 
 }  // namespace ropelight

@@ -1,66 +1,106 @@
 #include "render/integrator/prepare.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "render/core/error.h"
 #include "render/integrator/first_radius.h"
+#include "render/integrator/variants.h"
 
 namespace ropelight {
 namespace {
 
-void requireOneOf(const char* name, const std::string& value, const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), value) != known.end()) return;
-  throw Error(fmt::format("--{}: '{}' is not known; use one of: {}", name, value, fmt::join(known, ", ")),
-              ExitCode::usage);
+/// Every text setting is one of the choices that its list names.
+void checkChoices(Settings s) {
+  s.params([](const char* name, const auto& value, const ParamInfo& info) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
+      std::vector<std::string> const known = choicesOf(info);
+      if (std::find(known.begin(), known.end(), value) == known.end())
+        throw Error(fmt::format("--{}: '{}' is not known; use one of: {}", name, value, fmt::join(known, ", ")),
+                    ExitCode::usage);
+    }
+  });
+  bool const ofGather = s.aov == "photon-count" || s.aov == "gather-radius";
+  if (ofGather && s.mode != "sppm")
+    throw Error(fmt::format("--aov {}: only --mode sppm gathers photons", s.aov), ExitCode::usage);
 }
 
-void resolve(const Scene& scene, std::uint32_t primitives, Settings& s) {
-  if (s.width == 0) s.width = scene.film.width;
-  if (s.height == 0) s.height = scene.film.height;
+void resolve(const FilmDesc& film, std::uint32_t primitives, Settings& s) {
+  if (s.width == 0) s.width = film.width;
+  if (s.height == 0) s.height = film.height;
   if (std::uint64_t(s.width) * std::uint64_t(s.height) > (1u << 28))
     throw Error(fmt::format("film: {} x {} pixels; at most 2^28 fit", s.width, s.height), ExitCode::usage);
   if (s.maxDepth == 0) s.maxDepth = hardDepthLimit;
   if (s.treeDepth == 0) s.treeDepth = automaticTreeDepth(primitives);
 }
 
+/// All but the tree and the first radius.
+void resolveAll(Prepared& p, const Settings& requested) {
+  checkChoices(requested);
+  p.requested = p.settings = requested;
+  resolve(p.film, p.flat->primitiveCount(), p.settings);
+  p.features = featuresOf(*p.flat, p.camera, p.settings);
+  p.settings.accel = (p.features & feature::tree) ? "tree" : "brute";
+}
+
+void resolveRadius(Prepared& p) {
+  if ((p.features & feature::photons) && p.settings.radius == 0) p.settings.radius = automaticRadius(p);
+}
+
+KdConfig treeConfig(const Settings& s) {
+  KdConfig config;
+  config.midpoint = s.split == "midpoint";
+  config.bins = s.bins;
+  config.leafSize = s.leafSize;
+  config.maxDepth = s.treeDepth;
+  return config;
+}
+
+/// What an integrator was compiled and its scene uploaded for.
+bool sameIntegrator(const Prepared& a, const Prepared& b) {
+  return integratorName(a.settings) == integratorName(b.settings) && &rowFor(a.features) == &rowFor(b.features) &&
+         a.settings.accel == b.settings.accel &&
+         (a.settings.accel != "tree" || treeConfig(a.settings) == treeConfig(b.settings));
+}
+
 }  // namespace
+
+std::string integratorName(const Settings& s) {
+  bool const firstHit = s.aov != "radiance" && s.aov != "photon-count" && s.aov != "gather-radius";
+  return firstHit ? "aov" : s.mode;
+}
 
 FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Settings& s) {
   FeatureBits bits = featuresOf(flat, camera);
   bool const tree = s.accel == "tree" || (s.accel == "auto" && flat.primitiveCount() > bruteForceLimit);
   if (tree && flat.primitiveCount() > 0) bits |= feature::tree;
-  if (s.mode == "sppm" && (bits & feature::lights) && (bits & feature::diffuse)) bits |= feature::photons;
+  bool const sppm = integratorName(s) == "sppm";
+  if (sppm && (bits & feature::lights) && (bits & feature::diffuse)) bits |= feature::photons;
   if ((bits & feature::photons) && s.gather == "nearest") bits |= feature::nearest;
   return bits;
 }
 
-Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend) {
-  requireOneOf("mode", settings.mode, modeNames());
-  requireOneOf("direct", settings.direct, {"shadow", "photons"});
-  requireOneOf("gather", settings.gather, {"radius", "nearest"});
-  requireOneOf("accel", settings.accel, {"auto", "tree", "brute"});
-  requireOneOf("split", settings.split, {"sah", "midpoint"});
-  requireOneOf("sampler", settings.sampler, {"sobol", "independent"});
+Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend, SceneCache& cache) {
   Prepared p;
-  p.flat = flatten(scene);
+  p.flat = cache.flat(scene.camera);
   p.camera = scene.camera;
-  p.settings = settings;
+  p.film = scene.film;
   p.backend = backend;
-  resolve(scene, p.flat.primitiveCount(), p.settings);
-  p.features = featuresOf(p.flat, p.camera, p.settings);
-  if (p.features & feature::tree) {
-    KdConfig config;
-    config.midpoint = settings.split == "midpoint";
-    config.bins = settings.bins;
-    config.leafSize = settings.leafSize;
-    config.maxDepth = p.settings.treeDepth;
-    p.tree = buildKdTree(p.flat, config);
-  }
-  p.settings.accel = (p.features & feature::tree) ? "tree" : "brute";
-  if ((p.features & feature::photons) && p.settings.radius == 0) p.settings.radius = automaticRadius(p);
+  resolveAll(p, settings);
+  if (p.features & feature::tree) p.tree = cache.tree(p.flat, treeConfig(p.settings));
+  resolveRadius(p);
+  return p;
+}
+
+std::optional<Prepared> prepareAgain(const Prepared& before, const CameraDesc& camera, const Settings& settings) {
+  Prepared p = before;
+  p.camera = camera;
+  resolveAll(p, settings);
+  if (!sameIntegrator(p, before) || reachOf(p.flat->bounds, camera.position) > p.flat->reach) return {};
+  resolveRadius(p);
   return p;
 }
 

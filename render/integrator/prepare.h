@@ -1,9 +1,9 @@
 #pragma once
 // What the host does once before any backend: flatten, decide features, resolve automatic settings, build the tree.
 
-#include "accel/kd_build.h"
-#include "render/integrator/integrator.h"
-#include "render/scene/flatten.h"
+#include <optional>
+
+#include "render/integrator/scene_cache.h"
 
 namespace ropelight {
 
@@ -11,19 +11,27 @@ namespace ropelight {
 inline constexpr std::uint32_t bruteForceLimit = 24;
 
 struct Prepared {
-  FlatScene flat;
+  std::shared_ptr<const FlatScene> flat;
   CameraDesc camera;
-  Settings settings;  ///< resolved: no zero that means 'automatic' is left
+  FilmDesc film;
+  Settings requested;  ///< as given
+  Settings settings;   ///< resolved: no zero that means 'automatic' is left
   FeatureBits features = 0;
-  KdTree tree;  ///< empty without feature::tree
+  std::shared_ptr<const KdTree> tree;  ///< null without feature::tree
   BackendChoice backend;
 };
+
+/// The integrator that makes what the settings ask for: the mode, or aov for what the first hit alone shows.
+std::string integratorName(const Settings& settings);
 
 /// The whole table of features: the scene's, and those that the settings add or make unnecessary.
 FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Settings& settings);
 
 /// Throws Error (usage) where settings contradict each other or name something unknown.
-Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend);
+Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend, SceneCache& cache);
+
+/// The same scene and tree with another camera and other settings; empty where those need another integrator.
+std::optional<Prepared> prepareAgain(const Prepared& before, const CameraDesc& camera, const Settings& settings);
 
 /// Gather radius of iteration i = 1, 2, …: r_i² = r_1² Γ(i+α) / (Γ(1+α) Γ(i+1)), the closed form of
 /// r²_{i+1} = r²_i (i+α)/(i+1) (Knaus & Zwicker 2011, eq. 20), never below `floor`.

@@ -31,28 +31,98 @@ struct Settings {
   std::uint64_t photonMemory = 0;  ///< MiB for photons; 0: a quarter of the device's memory
   bool indirectOnly = false;       ///< leave out emission and direct light (paper, Figure 2's indirect part)
 
+  std::string aov = "radiance";  ///< what the film holds; see the list below
+
+  bool operator==(const Settings&) const = default;
+
   template <class V>
   void params(V&& v) {
-    v("mode", mode, ParamInfo{"ray, path or sppm"});
-    v("direct", direct, ParamInfo{"direct light in sppm: shadow or photons"});
-    v("gather", gather, ParamInfo{"photon gather: radius or nearest"});
-    v("accel", accel, ParamInfo{"ray acceleration: auto, tree or brute"});
-    v("split", split, ParamInfo{"kd-tree builder: sah or midpoint"});
-    v("sampler", sampler, ParamInfo{"sobol or independent"});
-    v("width", width, ParamInfo{"image width; 0: from the scene", 0, 65536, "pixels"});
-    v("height", height, ParamInfo{"image height; 0: from the scene", 0, 65536, "pixels"});
-    v("photons", photons, ParamInfo{"photon paths an iteration", 1, 4294967295.0});
-    v("radius", radius, ParamInfo{"first gather radius; 0: from the scene", 0, 1e30, "scene units"});
-    v("alpha", alpha, ParamInfo{"share of photons kept as the radius shrinks", 0.01, 1});
-    v("cell-size", cellSize, ParamInfo{"edge of a grid cell", 0.25, 16, "gather radii"});
-    v("nearest", nearest, ParamInfo{"k of the k-nearest gather", 2, 128});
-    v("max-depth", maxDepth, ParamInfo{"edges of a path; 0: unlimited", 0, 1024});
-    v("seed", seed, ParamInfo{"random seed", 0, 18446744073709551615.0});
-    v("bins", bins, ParamInfo{"SAH bins per axis", 2, 1024});
-    v("leaf-size", leafSize, ParamInfo{"primitives below which a node is not split", 1, 1024});
-    v("tree-depth", treeDepth, ParamInfo{"deepest tree level; 0: from the primitive count", 0, 64});
-    v("photon-memory", photonMemory, ParamInfo{"memory for photons; 0: a quarter of the device's", 0, 1e9, "MiB"});
-    v("indirect-only", indirectOnly, ParamInfo{"leave out emission and direct light"});
+    using I = ParamInfo;
+    v("mode", mode, I{.doc = "ray, path or sppm", .group = "Mode", .choices = "ray|path|sppm"});
+    v("aov", aov,
+      I{.doc = "what the film holds: radiance; at the first hit the normal, depth, albedo, traversal (tree cells "
+               "visited) or tests (primitives tested); of the sppm gather photon-count or gather-radius",
+        .group = "Mode",
+        .choices = "radiance|normal|depth|albedo|traversal|tests|photon-count|gather-radius"});
+    v("direct", direct,
+      I{.doc = "direct light in sppm: shadow or photons", .group = "Mode", .choices = "shadow|photons"});
+    v("indirect-only", indirectOnly, I{.doc = "leave out emission and direct light", .group = "Mode"});
+    v("max-depth", maxDepth,
+      I{.doc = "edges of a path; 0: unlimited",
+        .min = 0,
+        .max = 1024,
+        .group = "Mode",
+        .high = 32,
+        .zero = "unlimited"});
+    v("photons", photons,
+      I{.doc = "photon paths an iteration",
+        .min = 1,
+        .max = 4294967295.0,
+        .group = "Photons",
+        .low = 1024,
+        .high = 16777216,
+        .logarithmic = true});
+    v("radius", radius,
+      I{.doc = "first gather radius; 0: from the scene",
+        .min = 0,
+        .max = 1e30,
+        .unit = "scene units",
+        .group = "Photons",
+        .logarithmic = true,
+        .zero = "from the scene"});
+    v("alpha", alpha,
+      I{.doc = "share of photons kept as the radius shrinks", .min = 0.01, .max = 1, .group = "Photons"});
+    v("gather", gather, I{.doc = "photon gather: radius or nearest", .group = "Photons", .choices = "radius|nearest"});
+    v("nearest", nearest, I{.doc = "k of the k-nearest gather", .min = 2, .max = 128, .group = "Photons"});
+    v("cell-size", cellSize,
+      I{.doc = "edge of a grid cell",
+        .min = 0.25,
+        .max = 16,
+        .unit = "gather radii",
+        .group = "Photons",
+        .logarithmic = true});
+    v("photon-memory", photonMemory,
+      I{.doc = "memory for photons; 0: a quarter of the device's",
+        .min = 0,
+        .max = 1e9,
+        .unit = "MiB",
+        .group = "Photons",
+        .high = 16384,
+        .zero = "a quarter of the device's"});
+    v("accel", accel,
+      I{.doc = "ray acceleration: auto, tree or brute", .group = "Acceleration", .choices = "auto|tree|brute"});
+    v("split", split, I{.doc = "kd-tree builder: sah or midpoint", .group = "Acceleration", .choices = "sah|midpoint"});
+    v("bins", bins, I{.doc = "SAH bins per axis", .min = 2, .max = 1024, .group = "Acceleration", .logarithmic = true});
+    v("leaf-size", leafSize,
+      I{.doc = "primitives below which a node is not split",
+        .min = 1,
+        .max = 1024,
+        .group = "Acceleration",
+        .logarithmic = true});
+    v("tree-depth", treeDepth,
+      I{.doc = "deepest tree level; 0: from the primitive count",
+        .min = 0,
+        .max = 64,
+        .group = "Acceleration",
+        .zero = "from the primitive count"});
+    v("sampler", sampler, I{.doc = "sobol or independent", .group = "Sampling", .choices = "sobol|independent"});
+    v("seed", seed, I{.doc = "random seed", .min = 0, .max = 18446744073709551615.0, .group = "Sampling", .high = 100});
+    v("width", width,
+      I{.doc = "image width; 0: from the scene",
+        .min = 0,
+        .max = 65536,
+        .unit = "pixels",
+        .group = "Film",
+        .high = 3840,
+        .zero = "from the scene"});
+    v("height", height,
+      I{.doc = "image height; 0: from the scene",
+        .min = 0,
+        .max = 65536,
+        .unit = "pixels",
+        .group = "Film",
+        .high = 2160,
+        .zero = "from the scene"});
   }
 };
 

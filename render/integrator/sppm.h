@@ -14,12 +14,21 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   using Buffer = typename Backend::template Buffer<T>;
 
  public:
-  explicit SppmIntegrator(const Prepared& p) : Base(p) {
-    if (!hasPhotons()) return;
-    points_.allocate(this->backend_, "gather points", this->frame_.slots());
-    std::uint64_t const mebibytes = p.settings.photonMemory;
-    budget_ = mebibytes > 0 ? mebibytes << 20 : this->backend_.device().memory / 4;
-    makeRoom(2.5, 0.1);
+  explicit SppmIntegrator(const Prepared& p) : Base(p) { settingsChanged(); }
+
+  std::uint32_t presentPhotons(std::uint32_t most) override {
+    std::uint32_t const photons = hasPhotons() && this->state_.committed > 0 ? this->state_.chunkPhotons : 0;
+    std::uint32_t const count = std::min(photons, most);
+    this->backend_.activate();
+    points3d_.allocate(this->backend_, "display", count);
+    if (count > 0)
+      this->backend_.forEach(
+          count, ResolvePhotons{map_.grid().positions, map_.grid().powers, photons, count, points3d_.span()});
+    this->backend_.synchronize();
+    return this->backend_.interrupted() ? 0 : count;
+  }
+  void copyPhotons(PhotonPoint* to, std::uint32_t count) const override {
+    this->backend_.copyOut(to, points3d_, std::min<std::size_t>(count, points3d_.size()));
   }
 
   Stats stats() const override {
@@ -34,6 +43,18 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   }
 
  protected:
+  void settingsChanged() override {
+    const Settings& s = this->prepared_.settings;
+    points_.allocate(this->backend_, "gather points", hasPhotons() ? this->frame_.slots() : 0);
+    if (!hasPhotons()) return map_.release();
+    if (s.photons == plannedPhotons_ && s.photonMemory == plannedMemory_ && s.gather == plannedGather_) return;
+    plannedPhotons_ = s.photons;
+    plannedMemory_ = s.photonMemory;
+    plannedGather_ = s.gather;
+    budget_ = s.photonMemory > 0 ? s.photonMemory << 20 : this->backend_.device().memory / 4;
+    makeRoom(perPath_ > 0 ? perPath_ : 2.5, perPath_ > 0 ? tailPerPath_ : 0.1);
+  }
+
   void iterate(std::uint64_t i) override {
     this->backend_.forEach(this->frame_.slots(), TraceCamera<F>{this->frame_, this->radiance_.span(), points_.span()});
     if (hasPhotons()) gatherPhotons(i);
@@ -51,7 +72,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   bool hasPhotons() const { return (this->prepared_.features & feature::photons) != 0; }
 
   double radiusOf(std::uint64_t iteration) const {
-    const FlatScene& flat = this->prepared_.flat;
+    const FlatScene& flat = *this->prepared_.flat;
     // Positions carry errors of some 8 units in the last place of the scene's extent; a disc must be thicker than that.
     double const spacing = flat.reach * 96 * double(machineEpsilon);
     return gatherRadius(this->prepared_.settings.radius, this->prepared_.settings.alpha, iteration, spacing);
@@ -85,14 +106,17 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
       std::uint64_t const first = std::uint64_t(chunk) * plan.paths;
       std::uint32_t const count = std::uint32_t(std::min<std::uint64_t>(plan.paths, s.photons - first));
       map_.build(this->backend_, this->frame_, this->stateBuffer_, i * s.photons + first, count, Real(s.photons),
-                 this->prepared_.flat, radius * Real(s.cellSize));
+                 *this->prepared_.flat, radius * Real(s.cellSize));
       gather(radius);
     }
   }
 
   void gather(Real radius) {
     const Settings& s = this->prepared_.settings;
-    GatherView const view{map_.grid(), radius, s.maxDepth};
+    Gathered const output = s.aov == "photon-count"    ? Gathered::photonCount
+                            : s.aov == "gather-radius" ? Gathered::radius
+                                                       : Gathered::radiance;
+    GatherView const view{map_.grid(), radius, s.maxDepth, output};
     std::uint32_t const n = this->frame_.slots();
     if (this->prepared_.features & feature::nearest)
       this->backend_.forEach(n, GatherNearest{view, s.nearest, points_.view(), this->radiance_.span()});
@@ -102,7 +126,10 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
 
   PhotonMap<Backend, F> map_;
   Buffer<GatherPoint> points_;
+  Buffer<PhotonPoint> points3d_;  ///< for a window
   std::uint64_t budget_ = 0;
+  std::uint64_t plannedPhotons_ = 0, plannedMemory_ = 0;
+  std::string plannedGather_;
   double perPath_ = 0, tailPerPath_ = 0;
 };
 

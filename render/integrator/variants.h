@@ -6,7 +6,7 @@
 
 #include "render/core/features.h"
 
-#define RL_MODES(X) X(ray) X(path) X(sppm)
+#define RL_MODES(X) X(ray) X(path) X(sppm) X(aov)
 #define RL_ROWS(X) X(basic) X(full)
 
 namespace ropelight {

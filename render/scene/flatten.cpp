@@ -132,11 +132,7 @@ class Flattener {
     if (out_.material.size() >= (1u << 30))
       throw Error(fmt::format("{}: {} primitives; at most 2^30 fit", scene_.file, out_.material.size()));
     for (std::uint32_t i = 0; i < out_.primitiveCount(); ++i) out_.bounds.grow(out_.primitiveBounds(i));
-    Bounds far = out_.bounds;
-    far.grow(scene_.camera.position);
-    far.grow(Vec3d(0.0));
-    Vec3d const e = far.extent();
-    out_.reach = std::max({e.x, e.y, e.z});
+    out_.reach = reachOf(out_.bounds, scene_.camera.position);
     if (!(out_.reach < 1e15))
       throw Error(fmt::format("{}: the scene spans {:g} units; float arithmetic needs less than 1e15: scale it down",
                               scene_.file, out_.reach));
@@ -186,6 +182,14 @@ Bounds FlatScene::primitiveBounds(std::uint32_t i) const {
 bool FlatScene::overlapsSurface(std::uint32_t i, const Bounds& box) const {
   bool const sphere = i >= quads.size() && i < quads.size() + spheres.size();
   return !sphere || boxMeetsUnitSphere(spheres[i - quads.size()], box);
+}
+
+double reachOf(const Bounds& bounds, Vec3d position) {
+  Bounds far = bounds;
+  far.grow(position);
+  far.grow(Vec3d(0.0));
+  Vec3d const e = far.extent();
+  return std::max({e.x, e.y, e.z});
 }
 
 FlatScene flatten(const Scene& scene) { return Flattener(scene).run(); }

@@ -56,7 +56,7 @@ struct FlatScene {
   std::vector<MaterialDesc> materials;
   double diffuseArea = 0;  ///< of one side of every diffuse primitive
   Bounds bounds;
-  double reach = 0;  ///< largest distance along an axis between any two of: the scene's bounds, the camera, the origin
+  double reach = 0;  ///< reachOf the bounds and the camera, or more
 
   std::uint32_t primitiveCount() const;
   Bounds primitiveBounds(std::uint32_t primitive) const;
@@ -64,6 +64,9 @@ struct FlatScene {
   /// that a room-sized one does not sit in every cell.
   bool overlapsSurface(std::uint32_t primitive, const Bounds& box) const;
 };
+
+/// Largest distance along an axis between any two of: the bounds, the position, the origin.
+double reachOf(const Bounds& bounds, Vec3d position);
 
 /// Throws Error where numbers leave the range of float or there are more than 2³⁰ primitives.
 FlatScene flatten(const Scene& scene);

@@ -30,6 +30,8 @@ struct CameraDesc {
   double verticalFov = 45;    ///< full angle, degrees, in (0, 180)
   double apertureRadius = 0;  ///< 0: pinhole
   double focusDistance = 0;   ///< along the view direction; 0: distance to the target
+
+  bool operator==(const CameraDesc&) const = default;
 };
 
 struct FilmDesc {

@@ -41,7 +41,7 @@ class DeviceScene {
   using Buffer = typename Backend::template Buffer<T>;
 
   DeviceScene(Backend& backend, const Prepared& p) : backend_(backend) {
-    const FlatScene& flat = p.flat;
+    const FlatScene& flat = *p.flat;
     view.quads = convert(quads_, "quads", flat.quads);
     view.spheres = convert(spheres_, "spheres", flat.spheres);
     view.triangles = convert(triangles_, "triangles", flat.triangles);
@@ -50,7 +50,7 @@ class DeviceScene {
     view.materials = convert(materials_, "materials", flat.materials);
     view.primitiveCount = flat.primitiveCount();
     uploadLights(flat);
-    if (p.features & feature::tree) uploadTree(p.tree);
+    if (p.features & feature::tree) uploadTree(*p.tree);
   }
 
   SceneView view;

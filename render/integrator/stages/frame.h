@@ -18,6 +18,7 @@ struct FrameView {
   std::uint32_t iteration = 0;  ///< from 0
   bool shadowRays = true;       ///< direct light by shadow rays; else by photons
   bool indirectOnly = false;
+  bool dark = false;  ///< camera paths carry no light: something else is wanted of their ends
 
   /// Slots for pixels, in tiles of 8×4 so that neighbours in memory and in a warp are neighbours in the image.
   RL_HD std::uint32_t slots() const { return std::uint32_t((width + 7) / 8) * std::uint32_t((height + 3) / 4) * 32; }

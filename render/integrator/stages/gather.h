@@ -14,10 +14,14 @@ inline constexpr Real discThickness = Real(0.2);
 inline constexpr Real sameSide = Real(0.1);
 inline constexpr int nearestLimit = 128;
 
+/// What the gather adds to the film: radiance, or what there is to see of the gather itself.
+enum class Gathered : std::uint8_t { radiance, photonCount, radius };
+
 struct GatherView {
   PhotonGrid grid;
   Real radius = 0;
   int maxDepth = 0;
+  Gathered output = Gathered::radiance;
 
   /// Squared distance in the plane of the disc where photon k lies on it, else −1.
   RL_HD Real onDisc(const GatherPoint& g, std::uint32_t k) const {
@@ -38,6 +42,17 @@ struct GatherView {
     return grid.around(g.p, (across + absolute(g.n) * discThickness) * radius);
   }
 
+  /// Adds an estimate from `count` photons over a disc of that squared radius and area.
+  RL_HD void put(Rgb& film, const GatherPoint& g, Rgb flux, int count, Real radius2, Real inverseArea) const {
+    if (output == Gathered::radiance) {
+      if (radius2 > 0) film += g.weight * flux * float(inverseArea);
+    } else if (output == Gathered::photonCount) {
+      film += Rgb(float(count));
+    } else {
+      film = Rgb(float(sqrt(radius2)));
+    }
+  }
+
   RL_HD bool withinDepth(const GatherPoint& g, std::uint32_t k) const {
     return grid.powers[k].edges + g.edges <= std::uint32_t(maxDepth);
   }
@@ -56,10 +71,13 @@ struct GatherRadius {
     GatherPoint const g = points[slot];
     if (isBlack(g.weight)) return;
     Rgb flux(0.0f);
+    int count = 0;
     view.grid.forEachIn(view.cells(g), [&](std::uint32_t k) {
-      if (view.onDisc(g, k) >= 0 && view.withinDepth(g, k)) flux += view.grid.powers[k].flux;
+      if (!(view.onDisc(g, k) >= 0) || !view.withinDepth(g, k)) return;
+      flux += view.grid.powers[k].flux;
+      ++count;
     });
-    radiance[slot] += g.weight * flux * float(invPi / square(view.radius));
+    view.put(radiance[slot], g, flux, count, square(view.radius), invPi / square(view.radius));
   }
 };
 
@@ -85,8 +103,8 @@ struct GatherNearest {
     bool const full = heap.size == k;
     Rgb flux(0.0f);
     for (int i = full ? 1 : 0; i < heap.size; ++i) flux += view.grid.powers[heap.photon[i]].flux;
-    Real const area = pi * (full ? heap.distance2[0] : square(view.radius));
-    if (area > 0) radiance[slot] += g.weight * flux * float(1 / area);
+    Real const radius2 = full ? heap.distance2[0] : square(view.radius);
+    view.put(radiance[slot], g, flux, heap.size, radius2, 1 / (pi * radius2));
   }
 
  private:

@@ -47,7 +47,7 @@ struct TraceCamera {
       Hit const hit = closestHit<F>(frame.scene, ray);
       if (!hit.found()) return sum;
       Surface const s = surfaceAt<F>(frame.scene, ray, hit);
-      if (!frame.indirectOnly) sum += throughput * emitted(frame.scene, s, -ray.direction);
+      if (!frame.indirectOnly && !frame.dark) sum += throughput * emitted(frame.scene, s, -ray.direction);
       bool goesOn = false;
       visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
         Frame const local(s.n);
@@ -71,7 +71,7 @@ struct TraceCamera {
   RL_HD Rgb arrive(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler, int edges,
                    Tally& tally) const {
     if constexpr ((F & feature::lights) == 0) return Rgb(0.0f);
-    if (!frame.shadowRays || frame.indirectOnly || frame.scene.lights.empty() || edges >= frame.maxDepth)
+    if (!frame.shadowRays || frame.indirectOnly || frame.dark || frame.scene.lights.empty() || edges >= frame.maxDepth)
       return Rgb(0.0f);
     return directLight<F>(frame, s, local, bsdf, wo, sampler, false, tally);
   }

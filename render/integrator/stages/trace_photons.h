@@ -19,6 +19,7 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
   Rgb flux = start.flux;
   Ray ray = leave(start.surface, start.direction);
   std::uint32_t count = 0;
+  bool specularSoFar = true;
   for (int edges = 1; edges < frame.maxDepth; ++edges) {
     ++tally.rays;
     Hit const hit = closestHit<F>(frame.scene, ray);
@@ -33,7 +34,8 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
         // One edge from the light is direct light, which shadow rays have unless photons are to carry it.
         if (edges > 1 || !(frame.shadowRays || frame.indirectOnly))
           deposit(count++, PhotonPosition{s.p, packDirection(wo.z < 0 ? -s.n : s.n)},
-                  PhotonPower{flux, std::uint32_t(edges)});
+                  PhotonPower{flux, std::uint32_t(edges), specularSoFar && edges > 1 ? 1u : 0u});
+        specularSoFar = false;
       }
       BsdfSample const b = bsdf.sample(wo, u.x, direction, Transport::flux);
       Rgb const next = flux * b.weight;

@@ -1,0 +1,353 @@
+#include "app/view/viewer.h"
+
+#include <GL/glew.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "app/output.h"
+#include "app/scene_path.h"
+#include "app/view/capture.h"
+#include "app/view/pick.h"
+#include "render/backend/devices.h"
+#include "render/core/error.h"
+#include "render/film/image_file.h"
+#include "render/scene/load.h"
+
+namespace ropelight::view {
+namespace {
+
+constexpr double frameSecondsBusy = 1.0 / 60;   ///< while somebody is at mouse or keys
+constexpr double frameSecondsQuiet = 1.0 / 30;  ///< the time saved is the accumulation's
+constexpr float panelWidth = 390;               ///< at scale 1
+constexpr double matchPatience = 0.3;           ///< seconds that the window's size must hold
+
+Size sizeOf(const ViewOptions& options, const Preferences& preferences) {
+  if (options.window.empty()) return {preferences.width, preferences.height};
+  Size size;
+  const std::string& text = options.window;
+  const char* const end = text.data() + text.size();
+  auto const [x, first] = std::from_chars(text.data(), end, size.width);
+  bool const cross = first == std::errc{} && x != end && *x == 'x';
+  auto const [stop, second] = cross ? std::from_chars(x + 1, end, size.height) : std::from_chars_result{end, {}};
+  if (!cross || second != std::errc{} || stop != end || std::min(size.width, size.height) < 1 ||
+      std::max(size.width, size.height) > 16384)
+    throw Error(fmt::format("--window: '{}' is no size such as 1280x800", text), ExitCode::usage);
+  return size;
+}
+
+std::filesystem::path preferencesPath(const ViewOptions& options) {
+  return options.noPreferences || options.frames > 0 ? std::filesystem::path{} : preferencesFile();
+}
+
+/// Everything that can be known to fail before a window opens.
+ViewOptions checked(ViewOptions options) {
+  options.scene.scene = findScene(options.scene.scene);
+  for (const std::string& file : {options.screenshot, options.state})
+    if (!file.empty()) requireWritable(file);
+  chooseBackend(options.scene.backend);
+  return options;
+}
+
+int gpuOf(const BackendChoice& choice) {
+  ChosenBackend const chosen = chooseBackend(choice);
+  return chosen.cuda ? chosen.gpu : -1;
+}
+
+std::optional<Script> loadScript(const std::string& file) {
+  if (file.empty()) return {};
+  return Script::load(file);
+}
+
+Preferences initialPreferences(const std::filesystem::path& file, std::string& problem) {
+  return file.empty() ? Preferences{} : loadPreferences(file, problem);
+}
+
+}  // namespace
+
+Viewer::Viewer(const ViewOptions& options)
+    : options_(checked(options)),
+      lockStep_(options.frames > 0),
+      preferencesFile_(preferencesPath(options)),
+      comingScene_(std::make_shared<const Scene>(loadScene(options_.scene.scene))),
+      script_(loadScript(options.script)),
+      preferences_(initialPreferences(preferencesFile_, problem_)),
+      state_(preferences_.state),
+      window_("ropelight", sizeOf(options, preferences_).width, sizeOf(options, preferences_).height),
+      gui_(window_, window_.contentScale() * float(options.uiScale)),
+      renderer_(options_.scene.backend, lockStep_),
+      picture_(gpuOf(options.scene.backend), !options.noInterop) {
+  state_.settings = {options_.scene.settings, options_.scene.settings};
+  camera_.views = preferences_.views;
+  camera_.speed = preferences_.speed;
+  renderer_.setSettings(estimateA, state_.settings[estimateA]);
+  if (!options_.reference.empty()) open(options_.reference);
+  if (!problem_.empty() && !options_.reference.empty() && !renderer_.referenceStatus().present) throw Error(problem_);
+  renderer_.setScene(comingScene_, comingScene_->camera);
+  watch_.start(*comingScene_);
+  window_.setVsync(!lockStep_);
+  started_ = frameStart_ = lastInput_ = Clock::now();
+}
+
+Viewer::~Viewer() = default;
+
+int Viewer::run() {
+  while (!done_) {
+    takeInput();
+    takeScenes();
+    drawInterface();
+    tellRenderer();
+    drawPicture();
+    finishFrame();
+    pace();
+  }
+  end();
+  if (script_ && !script_->problem().empty()) throw Error(script_->problem(), ExitCode::internal);
+  return int(ExitCode::done);
+}
+
+void Viewer::takeInput() {
+  gui_.setScale(window_.contentScale() * float(options_.uiScale));
+  gui_.beginBackends();
+  for (const std::string& file : window_.takeDroppedFiles()) actions_.open.push_back(file);
+  if (!script_) return;
+  const EstimateStatus& a = estimates_[estimateA];
+  bool const busy = loader_.busy() || renderer_.busy() || !a.ready || a.draft;
+  ScriptRequests const asked = script_->apply(ImGui::GetIO(), counts_.seconds, double(a.pixelIterations), busy);
+  for (const std::string& file : asked.drop) actions_.open.push_back(file);
+  for (const std::string& file : asked.screenshots) screenshots_.push_back(file);
+  for (const std::string& file : asked.stateFiles) stateFiles_.push_back(file);
+  if (asked.resizeWidth > 0) window_.resize(asked.resizeWidth, asked.resizeHeight);
+  if (asked.quit || !script_->problem().empty()) done_ = true;
+}
+
+/// Scenes that were read go to the renderer; the one that it shows decides camera and names.
+void Viewer::takeScenes() {
+  if (auto loaded = loader_.take()) {
+    if (!loaded->scene) {
+      problem_ = loaded->problem;
+    } else {
+      bool const sameView = loaded->again && scene_ && scene_->camera == loaded->scene->camera;
+      comingScene_ = loaded->scene;
+      renderer_.setScene(comingScene_, sameView ? camera_.camera() : comingScene_->camera);
+    }
+  }
+  if (options_.watch && scene_ && !loader_.busy() && watch_.changed(counts_.seconds)) loader_.start(scene_->file, true);
+  if (std::string const why = renderer_.problem(); !why.empty()) problem_ = why;
+  for (int k = 0; k < 3; ++k) estimates_[std::size_t(k)] = renderer_.status(k);
+  if (renderer_.sceneVersion() != sceneVersion_) takeScene();
+}
+
+void Viewer::takeScene() {
+  bool const again = scene_ && scene_->file == renderer_.scene()->file;
+  bool const sameView = again && scene_->camera == renderer_.scene()->camera;
+  scene_ = renderer_.scene();
+  sceneVersion_ = renderer_.sceneVersion();
+  CameraDesc const before = camera_.camera();
+  camera_.setHome(scene_->camera, sceneBounds(*scene_));
+  if (sameView) camera_.setCamera(before);
+  toldCamera_ = camera_.camera();
+  controls_.clearSelection();
+  watch_.start(*scene_);
+  ++counts_.scenes;
+  std::erase(state_.recent, scene_->file);
+  state_.recent.insert(state_.recent.begin(), scene_->file);
+  if (state_.recent.size() > 12) state_.recent.resize(12);
+  if (counts_.scenes > 1) {
+    notice_ = fmt::format("{} {}", again ? "loaded again:" : "opened", scene_->file);
+    problem_.clear();
+  }
+}
+
+void Viewer::drawInterface() {
+  gui_.begin();
+  PanelContext panel = context();
+  drawPanel(panel, panelWidth * gui_.scale());
+  Size const fb = window_.framebufferSize(), size = window_.windowSize();
+  double const ratio = size.width > 0 ? double(fb.width) / size.width : 1;
+  controls_.apply({state_, camera_, actions_, picture_, scene_.get(), ratio, frameSeconds_, viewScale()});
+  if (!controls_.notice().empty()) notice_ = controls_.notice();
+  const ImGuiIO& io = ImGui::GetIO();
+  bool input = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || ImGui::IsAnyMouseDown();
+  for (bool down : io.KeysDown) input = input || down;
+  if (input) lastInput_ = Clock::now();
+}
+
+void Viewer::tellRenderer() {
+  matchWindow();
+  for (int k : {estimateA, estimateB}) renderer_.setSettings(k, state_.settings[std::size_t(k)]);
+  Settings truth = state_.settings[estimateA];
+  truth.mode = "path";
+  truth.seed += 7919;
+  renderer_.setSettings(reference, truth);
+  renderer_.setEnabled(estimateB, state_.compare.enabled);
+  ReferenceStatus const status = renderer_.referenceStatus();
+  if (state_.compare.accumulateReference != status.accumulating)
+    renderer_.setEnabled(reference, state_.compare.accumulateReference);
+  renderer_.setPaused(state_.paused);
+  renderer_.setStageTimes(state_.stageTimes);
+  renderer_.wantPhotons(state_.photons.shown ? std::uint32_t(std::max(state_.photons.most, 0)) : 0);
+  if (scene_ && camera_.camera() != toldCamera_) renderer_.setCamera(camera_.camera(), sceneVersion_);
+  toldCamera_ = camera_.camera();
+  Actions const actions = std::exchange(actions_, {});
+  perform(actions);
+  if (!lockStep_) return;
+  renderer_.step(1);
+  renderer_.finishSteps();
+  for (int k = 0; k < 3; ++k) estimates_[std::size_t(k)] = renderer_.status(k);
+}
+
+/// The film takes the size of its place in the window, once that has settled.
+void Viewer::matchWindow() {
+  static Rect last;
+  static Clock::time_point since;
+  Rect const place = picturePlace();
+  bool const same = place.width == last.width && place.height == last.height;
+  if (!same) {
+    last = place;
+    since = Clock::now();
+  }
+  bool const settled = Clock::now() - since > std::chrono::duration<double>(matchPatience);
+  if (!state_.matchWindow || place.empty() || !settled) return;
+  for (Settings& s : state_.settings) {
+    s.width = place.width;
+    s.height = place.height;
+  }
+}
+
+Rect Viewer::picturePlace() const {
+  Size const fb = window_.framebufferSize(), size = window_.windowSize();
+  float const ratio = size.width > 0 ? float(fb.width) / float(size.width) : 1;
+  int const panel = state_.panelShown ? int(panelWidth * gui_.scale() * ratio) : 0;
+  bool const covered = panel > fb.width - 16;  // a tiny window: the panel lies over the picture
+  return {0, 0, covered ? fb.width : fb.width - panel, fb.height};
+}
+
+void Viewer::drawPicture() {
+  Size const fb = window_.framebufferSize();
+  picture_.update(renderer_, estimates_, renderer_.referenceStatus(), state_);
+  overlay_.update(renderer_, picture_, estimates_[estimateA], state_);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, fb.width, fb.height);
+  glClearColor(0.07f, 0.07f, 0.08f, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  picture_.draw(picturePlace(), fb.height, state_, counts_.seconds);
+  overlay_.draw(picture_, estimates_[estimateA].camera, state_, fb.height, gui_.scale());
+  glDisable(GL_SCISSOR_TEST);
+  glViewport(0, 0, fb.width, fb.height);
+  gui_.end();
+}
+
+void Viewer::finishFrame() {
+  ++counts_.frames;
+  bool const last = options_.frames > 0 && counts_.frames >= options_.frames;
+  if (last && !options_.screenshot.empty()) screenshots_.push_back(options_.screenshot);
+  if (last && !options_.state.empty()) stateFiles_.push_back(options_.state);
+  for (const std::string& file : std::exchange(screenshots_, {})) screenshot(file);
+  window_.swap();
+  for (const std::string& file : std::exchange(stateFiles_, {})) writeState(file);
+  setTitle();
+  if (last || window_.shouldClose()) done_ = true;
+}
+
+/// Waits for events for what is left of the frame: the time is the accumulation's.
+void Viewer::pace() {
+  auto const elapsed = [this] { return std::chrono::duration<double>(Clock::now() - frameStart_).count(); };
+  bool const quiet = !script_ && Clock::now() - lastInput_ > std::chrono::milliseconds(500);
+  double const frame = quiet ? frameSecondsQuiet : frameSecondsBusy;
+  window_.poll(lockStep_ ? 0 : std::max(frame - elapsed(), 0.0));
+  if (!lockStep_ && !quiet)
+    while (elapsed() < frame) window_.poll(frame - elapsed());  // events come in between
+  frameSeconds_ = elapsed();
+  frameStart_ = Clock::now();
+  frameMs_[counts_.frames % frameMs_.size()] = frameSeconds_ * 1e3;
+  counts_.slowestMs = std::max(counts_.slowestMs, frameSeconds_ * 1e3);
+  counts_.seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+}
+
+PanelContext Viewer::context() {
+  std::array<double, 120> sorted = frameMs_;
+  std::nth_element(sorted.begin(), sorted.begin() + 60, sorted.end());
+  counts_.medianMs = sorted[60];
+  PanelContext c{state_,
+                 camera_,
+                 actions_,
+                 estimates_,
+                 renderer_.referenceStatus(),
+                 renderer_.backendText(),
+                 picture_.describePath(),
+                 picture_.times(),
+                 0,
+                 "",
+                 problem_,
+                 notice_,
+                 false,
+                 0,
+                 0,
+                 {}};
+  c.framesPerSecond = counts_.medianMs > 0 ? 1e3 / counts_.medianMs : 0;
+  c.sceneName = scene_ ? scene_->file : comingScene_->file;
+  if (problem_.empty()) c.problem = picture_.problem();
+  readMagnifier(c);
+  return c;
+}
+
+void Viewer::readMagnifier(PanelContext& c) {
+  Size const fb = window_.framebufferSize(), size = window_.windowSize();
+  const ImGuiIO& io = ImGui::GetIO();
+  if (size.width == 0 || io.WantCaptureMouse || !ImGui::IsMousePosValid()) return;
+  double const ratio = double(fb.width) / size.width;
+  c.cursorOnPicture = picture_.pixelAt(io.MousePos.x * ratio, io.MousePos.y * ratio, c.cursorX, c.cursorY);
+  if (!c.cursorOnPicture || !state_.inspectorShown) return;
+  for (int k = 0; k < 3; ++k) c.magnifier[std::size_t(k)] = picture_.readAround(k, c.cursorX, c.cursorY, magnified);
+}
+
+ViewScale Viewer::viewScale() const {
+  const CameraDesc& c = camera_.camera();
+  return {glm::length(c.target - c.position), estimates_[estimateA].stats.firstRadius};
+}
+
+void Viewer::screenshot(const std::string& file) {
+  attempt("saved " + file, [&] {
+    Size const fb = window_.framebufferSize();
+    saveScreenshot(file, captureScreen(fb.width, fb.height));
+  });
+}
+
+void Viewer::writeState(const std::string& file) {
+  attempt("", [&] {
+    writeJson(file, stateReport(context(), picture_, window_, counts_, controls_.selection()));
+    counts_.slowestMs = 0;
+  });
+}
+
+void Viewer::setTitle() {
+  const EstimateStatus& a = estimates_[estimateA];
+  std::string const name = std::filesystem::path(scene_ ? scene_->file : comingScene_->file).filename().string();
+  std::string const title =
+      fmt::format("{} - {} - {} iterations - ropelight", name, state_.settings[estimateA].mode, a.stats.iterations);
+  if (title == title_) return;
+  title_ = title;
+  window_.setTitle(title);
+}
+
+void Viewer::end() {
+  if (preferencesFile_.empty()) return;
+  Preferences kept{state_, camera_.views, camera_.speed, preferences_.width, preferences_.height};
+  Size const size = window_.windowSize();
+  if (size.width >= 320 && size.height >= 240) {
+    kept.width = size.width;
+    kept.height = size.height;
+  }
+  try {
+    savePreferences(preferencesFile_, kept);
+  } catch (const Error& error) {
+    fmt::print(stderr, "note: {}\n", error.what());
+  }
+}
+
+}  // namespace ropelight::view

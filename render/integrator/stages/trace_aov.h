@@ -1,0 +1,70 @@
+#pragma once
+// What the first hit looks like, without any light (arbitrary output variables).
+
+#include "render/backend/tally.h"
+#include "render/core/frame.h"
+#include "render/integrator/stages/frame.h"
+
+namespace ropelight::RL_TARGET {
+
+enum class Aov : std::uint8_t { normal, depth, albedo, traversal, tests };
+
+template <FeatureBits F>
+struct TraceAov {
+  static constexpr const char* name = "TraceAov";
+  static constexpr std::uint32_t grain = 512;
+
+  FrameView frame;
+  Aov aov;
+  Span<Rgb> film;
+
+  RL_HD void operator()(std::uint32_t slot, Tally& tally) const {
+    int x, y;
+    film[slot] = Rgb(0.0f);
+    if (!frame.pixelOf(slot, x, y)) return;
+    Sampler sampler = frame.cameraSampler(x, y);
+    Ray const ray = frame.cameraRay<F>(x, y, sampler);
+    ++tally.rays;
+    film[slot] = aov == Aov::traversal || aov == Aov::tests ? cost(ray) : atHit(ray);
+  }
+
+ private:
+  RL_HD Rgb atHit(const Ray& ray) const {
+    Hit const hit = closestHit<F>(frame.scene, ray);
+    if (!hit.found()) return Rgb(0.0f);
+    if (aov == Aov::depth) return Rgb(float(hit.t));
+    Surface const s = surfaceAt<F>(frame.scene, ray, hit);
+    if (aov == Aov::normal) return Rgb(s.n);
+    Rgb albedo(0.0f);
+    visitBsdf<F>(frame.scene.materials[s.material],
+                 [&](const auto& bsdf) { albedo = bsdf.directionalAlbedo(Frame(s.n).toLocal(-ray.direction)); });
+    return albedo;
+  }
+
+  /// Cells visited, or primitives tested, until the closest hit is known.
+  RL_HD Rgb cost(const Ray& ray) const {
+    int cells = 0, tests = int(frame.scene.primitiveCount);
+    if constexpr ((F & feature::tree) != 0)
+      if (!frame.scene.tree.nodes.empty()) countTraversal(ray, cells, tests);
+    return Rgb(float(aov == Aov::traversal ? cells : tests));
+  }
+
+  RL_HD void countTraversal(const Ray& ray, int& cells, int& tests) const {
+    Hit hit;
+    hit.t = ray.tMax;
+    RayShear const shear(ray);
+    cells = tests = 0;
+    traverseRopes(
+        frame.scene.tree, ray,
+        [&](std::uint32_t id) {
+          ++tests;
+          intersectPrimitive<F>(frame.scene, ray, shear, id, hit);
+        },
+        [&](Real t) {
+          ++cells;
+          return hit.t <= t;
+        });
+  }
+};
+
+}  // namespace ropelight::RL_TARGET
