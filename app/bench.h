@@ -9,7 +9,7 @@
 namespace ropelight {
 
 struct BenchOptions {
-  std::vector<std::string> names;  ///< of benchNames(); empty: all
+  std::vector<std::string> names;  ///< of benchNames(); empty: all that need no window
   SceneOptions scene;              ///< an empty scene: the benchmark's own
   int repeat = 15;                 ///< timed repetitions
   std::string json;                ///< file, "-" for standard output instead of the tables, empty for none
@@ -19,6 +19,7 @@ struct BenchOptions {
 /// One measured configuration. Times are seconds of wall clock for one repetition.
 struct BenchRow {
   std::string bench;
+  std::string timed = "iteration";  ///< what `seconds` are of
   std::string scene;
   Settings settings;  ///< resolved
   Stats stats;        ///< of the timed repetitions alone
@@ -28,6 +29,10 @@ struct BenchRow {
 
 /// Times single iterations, by default of box-spheres-diffuse at 512 x 512 with 262,144 photons at three first radii.
 std::vector<BenchRow> benchIteration(const BenchOptions& options);
+
+/// Times what a window's frame costs beyond the iteration, by every way that the pixels can go, by default at
+/// 1920 x 1080: pixels into GL, the display pass, and waiting for the GPU; no panel and no buffer swap. Opens a window.
+std::vector<BenchRow> benchDisplay(const BenchOptions& options);
 
 std::vector<std::string> benchNames();
 

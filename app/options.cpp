@@ -121,7 +121,8 @@ Command parseCompare(const char* name, const char* doc, Arguments arguments) {
 
 Command parseBench(const char* name, const char* doc, Arguments arguments) {
   return parse<BenchOptions>(name, doc, std::move(arguments), [](CLI::App& app, BenchOptions& o) {
-    app.add_option("NAME", o.names, fmt::format("by default all of: {}", joinNames(benchNames())))->type_name("");
+    app.add_option("NAME", o.names, fmt::format("by default all that need no window, of: {}", joinNames(benchNames())))
+        ->type_name("");
     app.add_option("--scene", o.scene.scene, "scene file or asset instead of the benchmark's own")->type_name("SCENE");
     addValue(app, "--repeat", o.repeat, ParamInfo{"timed repetitions", 1, 1e6});
     addFile(app, "--json", o.json, jsonDoc);

@@ -6,6 +6,7 @@ out vec4 colour;
 
 uniform sampler2D left, right;
 uniform float leftScale, rightScale;  // screen pixels a texel
+uniform vec2 leftSize, rightSize;     // texels; asking the samplers costs as much as a sample
 uniform vec2 size;                    // of the picture on the screen, pixels
 uniform int layout_;                  // 0: left alone, 1: right alone, 2: split, 3: difference
 uniform float split, lineWidth, gain;
@@ -25,17 +26,9 @@ bool isNonFinite(vec3 c) {
   return any(equal(floatBitsToUint(c) & 0x7F800000u, uvec3(0x7F800000u)));
 }
 
-vec3 sampleLeft() {
-  if (leftScale < 1.0) return textureLod(left, place, 0.0).rgb;
-  ivec2 edge = textureSize(left, 0);
-  return texelFetch(left, clamp(ivec2(place * vec2(edge)), ivec2(0), edge - 1), 0).rgb;
-}
-
-vec3 sampleRight() {
-  if (rightScale < 1.0) return textureLod(right, place, 0.0).rgb;
-  ivec2 edge = textureSize(right, 0);
-  return texelFetch(right, clamp(ivec2(place * vec2(edge)), ivec2(0), edge - 1), 0).rgb;
-}
+// The samplers are nearest where a texel is a screen pixel or more, else linear: a branch here costs as much as a sample.
+vec3 sampleLeft() { return textureLod(left, place, 0.0).rgb; }
+vec3 sampleRight() { return textureLod(right, place, 0.0).rgb; }
 
 // Solid where texels are small, checks of two by two a texel where they are large.
 vec3 nonFiniteMark(vec2 edge, float scale) {
@@ -49,8 +42,10 @@ vec3 encodeSrgb(vec3 c) {
   return mix(curved, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
 }
 
-// Divided by its largest channel first, so that a bright pixel at high exposure stays finite.
-vec3 reinhard(vec3 c) {
+// Divided by its largest channel first, so that a bright pixel at high exposure stays finite; the reciprocal of what is
+// brighter than the limit would be denormal, which a GPU takes for 0.
+vec3 reinhard(vec3 radiance) {
+  vec3 c = min(radiance, 1e36);
   float largest = max(c.r, max(c.g, c.b));
   if (largest <= 0.0) return vec3(0.0);
   vec3 hue = c / largest;
@@ -81,22 +76,22 @@ vec3 toScreen(vec3 radiance) {
 
 vec3 showLeft() {
   vec3 c = sampleLeft();
-  return isNonFinite(c) ? nonFiniteMark(vec2(textureSize(left, 0)), leftScale) : toScreen(c);
+  return isNonFinite(c) ? nonFiniteMark(leftSize, leftScale) : toScreen(c);
 }
 
 vec3 showRight() {
   vec3 c = sampleRight();
-  return isNonFinite(c) ? nonFiniteMark(vec2(textureSize(right, 0)), rightScale) : toScreen(c);
+  return isNonFinite(c) ? nonFiniteMark(rightSize, rightScale) : toScreen(c);
 }
 
 // Red by the channels in which the left is brighter, blue by those in which it is darker.
 vec3 showDifference() {
   vec3 a = sampleLeft(), b = sampleRight();
-  if (isNonFinite(a)) return nonFiniteMark(vec2(textureSize(left, 0)), leftScale);
-  if (isNonFinite(b)) return nonFiniteMark(vec2(textureSize(right, 0)), rightScale);
+  if (isNonFinite(a)) return nonFiniteMark(leftSize, leftScale);
+  if (isNonFinite(b)) return nonFiniteMark(rightSize, rightScale);
   vec3 d = (a - b) * exposure * gain;
   float more = min(dot(max(d, 0.0), vec3(1.0 / 3.0)), 1.0), less = min(dot(max(-d, 0.0), vec3(1.0 / 3.0)), 1.0);
-  return encodeSrgb(min(more * vec3(1.0, 0.12, 0.03) + less * vec3(0.03, 0.2, 1.0), 1.0));
+  return encodeSrgb(min(more * vec3(1.0, 0.02, 0.01) + less * vec3(0.01, 0.1, 1.0), 1.0));
 }
 
 vec3 showSplit() {

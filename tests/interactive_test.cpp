@@ -189,10 +189,10 @@ TEST_CASE("first-hit films: normals are unit, depth is distance, albedo is the m
   CHECK(normal.at(1, 16).z == doctest::Approx(1));
   s.accel = "brute";
   CHECK(filmOf("tests").at(3, 3).x == doctest::Approx(2));
-  CHECK(filmOf("traversal").at(3, 3).x == 0);
+  CHECK(filmOf("traversal").at(3, 3).x == doctest::Approx(2));
   s.accel = "tree";
   CHECK(filmOf("tests").at(0, 0).x <= 2);
-  CHECK(filmOf("traversal").at(0, 0).x >= 1);
+  CHECK(filmOf("traversal").at(0, 0).x >= 1 + filmOf("tests").at(0, 0).x);
 }
 
 TEST_CASE("the gather's own films: photons counted, and the radius that was searched") {

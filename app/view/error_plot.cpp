@@ -108,7 +108,8 @@ void drawLegend(const Plot& plot, const std::array<Curve, 2>& curves, const Pane
     std::string text = fmt::format("{}: {}", curveNames[i], context.state.settings[i].mode);
     if (curves[i].law) text += fmt::format(", slope {:.2f}", curves[i].law->exponent);
     float const left = plot.high.x - ImGui::CalcTextSize(text.c_str()).x - line * 0.6f;
-    list->AddLine({left - line * 1.6f, y + line / 2}, {left - line * 0.4f, y + line / 2}, curveColours[i], line * 0.15f);
+    list->AddLine({left - line * 1.6f, y + line / 2}, {left - line * 0.4f, y + line / 2}, curveColours[i],
+                  line * 0.15f);
     list->AddText({left, y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     y += line * 1.2f;
   }
@@ -146,7 +147,7 @@ void drawAxes(const PanelContext& context, const std::array<Curve, 2>& curves) {
   Plot const plot = layOut(curves, low, high);
   ImU32 const text = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   ImGui::GetWindowDrawList()->AddText({corner.x, corner.y}, text, "relMSE");
-  const char* const xName = "seconds of its own";
+  const char* const xName = "seconds of run time";
   float const xWidth = ImGui::CalcTextSize(xName).x;
   ImGui::GetWindowDrawList()->AddText({(low.x + high.x - xWidth) / 2, high.y + line * 1.3f}, text, xName);
   drawGrid(plot);
@@ -169,8 +170,10 @@ bool isWanted(const PanelContext& context) {
 void drawErrorPlot(PanelContext& context) {
   if (!isWanted(context)) return;
   float const size = ImGui::GetFontSize();
-  ImGui::SetNextWindowSize({size * 34, size * 22}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowPos({size, ImGui::GetIO().DisplaySize.y - size * 23}, ImGuiCond_FirstUseEver);
+  ImVec2 const display = ImGui::GetIO().DisplaySize;
+  ImVec2 const start{std::clamp(display.x * 0.45f, size * 16, size * 34), size * 22};
+  ImGui::SetNextWindowSize(start, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos({size, std::max(display.y - start.y - size, 0.0f)}, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Error against time", &context.state.plotShown, ImGuiWindowFlags_NoScrollbar)) {
     auto const curves = curvesOf(context);
     if (!context.reference.problem.empty()) problemText(context.reference.problem);
@@ -178,7 +181,8 @@ void drawErrorPlot(PanelContext& context) {
       quietText(context.reference.present || context.reference.accumulating
                     ? "No error was measured yet."
                     : "Open a reference image (.exr), or accumulate one under Compare.");
-    else drawAxes(context, curves);
+    else
+      drawAxes(context, curves);
   }
   ImGui::End();
 }

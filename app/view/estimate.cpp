@@ -95,7 +95,9 @@ void Estimate::recordStages(const Stats& before) {
 
 void Estimate::present(std::uint32_t photons) {
   std::lock_guard const lock(pixels_);
+  auto const start = std::chrono::steady_clock::now();
   if (!integrator->present()) return;
+  shown_.presentSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   shown_.photonCount = photons > 0 ? integrator->presentPhotons(photons) : 0;
   shown_.width = stats_.settings.width;
   shown_.height = stats_.settings.height;

@@ -39,24 +39,44 @@ std::string readShader(const fs::path& file) {
   return text.str();
 }
 
-struct Shader {
-  GLuint name;
-  explicit Shader(GLenum kind) : name(glCreateShader(kind)) {}
-  ~Shader() { glDeleteShader(name); }
+/// A shader in a program, until it is linked.
+class Shader {
+ public:
+  Shader(GLuint program, GLenum kind, const fs::path& file) : program_(program), name_(glCreateShader(kind)) {
+    glAttachShader(program_, name_);
+    compile(file);
+  }
+  ~Shader() {
+    glDetachShader(program_, name_);
+    glDeleteShader(name_);
+  }
   Shader(const Shader&) = delete;
   Shader& operator=(const Shader&) = delete;
+
+ private:
+  void compile(const fs::path& file) const {
+    std::string const text = readShader(file);
+    const char* source = text.c_str();
+    glShaderSource(name_, 1, &source, nullptr);
+    glCompileShader(name_);
+    GLint done = GL_FALSE;
+    glGetShaderiv(name_, GL_COMPILE_STATUS, &done);
+    if (done != GL_TRUE)
+      throw Error(
+          fmt::format("{}: does not compile: {}", file.string(), logOf(name_, glGetShaderiv, glGetShaderInfoLog)),
+          ExitCode::internal);
+  }
+
+  GLuint program_, name_;
 };
 
-void compile(const Shader& shader, const fs::path& file) {
-  std::string const text = readShader(file);
-  const char* source = text.c_str();
-  glShaderSource(shader.name, 1, &source, nullptr);
-  glCompileShader(shader.name);
+void link(GLuint program, const fs::path& file) {
+  glLinkProgram(program);
   GLint done = GL_FALSE;
-  glGetShaderiv(shader.name, GL_COMPILE_STATUS, &done);
+  glGetProgramiv(program, GL_LINK_STATUS, &done);
   if (done != GL_TRUE)
-    throw Error(fmt::format("{}: does not compile: {}", file.string(),
-                            logOf(shader.name, glGetShaderiv, glGetShaderInfoLog)),
+    throw Error(fmt::format("{}: the shaders do not link: {}", file.string(),
+                            logOf(program, glGetProgramiv, glGetProgramInfoLog)),
                 ExitCode::internal);
 }
 
@@ -110,13 +130,13 @@ GlTexture::GlTexture() : name_(created(glGenTextures)) {
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-bool GlTexture::resize(int width, int height) {
+bool GlTexture::resize(int width, int height, GLenum format) {
   if (width == width_ && height == height_) return true;
   clearGlErrors();
   glBindTexture(GL_TEXTURE_2D, name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
   bool const failed = clearGlErrors();
-  if (failed) glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 0, 0, 0, GL_RGBA, GL_FLOAT, nullptr);
+  if (failed) glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), 0, 0, 0, GL_RGBA, GL_FLOAT, nullptr);
   glBindTexture(GL_TEXTURE_2D, 0);
   width_ = failed ? 0 : width;
   height_ = failed ? 0 : height;
@@ -126,30 +146,23 @@ bool GlTexture::resize(int width, int height) {
 GlVertexArray::GlVertexArray() : GlName(created(glGenVertexArrays)) {}
 GlFramebuffer::GlFramebuffer() : GlName(created(glGenFramebuffers)) {}
 
-GlProgram::GlProgram(const std::string& name) : name_(glCreateProgram()) {
-  fs::path const folder = shadersFolder();
-  Shader const vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
-  compile(vertex, folder / (name + ".vert"));
-  compile(fragment, folder / (name + ".frag"));
-  glAttachShader(name_.name(), vertex.name);
-  glAttachShader(name_.name(), fragment.name);
-  glLinkProgram(name_.name());
-  glDetachShader(name_.name(), vertex.name);
-  glDetachShader(name_.name(), fragment.name);
-  GLint done = GL_FALSE;
-  glGetProgramiv(name_.name(), GL_LINK_STATUS, &done);
-  if (done != GL_TRUE)
-    throw Error(fmt::format("{}: the shaders do not link: {}", (folder / name).string(),
-                            logOf(name_.name(), glGetProgramiv, glGetProgramInfoLog)),
-                ExitCode::internal);
+GlProgram::GlProgram(const std::string& name, bool compute) : name_(glCreateProgram()) {
+  std::string const path = (shadersFolder() / name).string();
+  if (compute) {
+    Shader const shader(name_.name(), GL_COMPUTE_SHADER, path + ".comp");
+    link(name_.name(), path);
+  } else {
+    Shader const vertex(name_.name(), GL_VERTEX_SHADER, path + ".vert");
+    Shader const fragment(name_.name(), GL_FRAGMENT_SHADER, path + ".frag");
+    link(name_.name(), path);
+  }
 }
 
 void GlProgram::use() const { glUseProgram(name_.name()); }
 
 GLint GlProgram::location(const char* uniform) {
   auto found = locations_.find(uniform);
-  if (found == locations_.end())
-    found = locations_.emplace(uniform, glGetUniformLocation(name_.name(), uniform)).first;
+  if (found == locations_.end()) found = locations_.emplace(uniform, glGetUniformLocation(name_.name(), uniform)).first;
   return found->second;
 }
 

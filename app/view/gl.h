@@ -58,7 +58,7 @@ class GlBuffer {
   std::size_t size_ = 0;
 };
 
-/// A 2D texture of RGBA in 32-bit floats, linear and clamped at its edges; what magnifies it fetches texels.
+/// A 2D texture of RGBA in 32-bit floats, one level of them, clamped at its edges.
 class GlTexture {
  public:
   GlTexture();
@@ -66,7 +66,7 @@ class GlTexture {
   int width() const { return width_; }
   int height() const { return height_; }
   /// False where GL has no memory for it; it is then empty.
-  bool resize(int width, int height);
+  bool resize(int width, int height, GLenum format = GL_RGBA32F);
 
  private:
   GlName<releaseTexture> name_;
@@ -83,11 +83,12 @@ class GlFramebuffer : public GlName<releaseFramebuffer> {
   GlFramebuffer();
 };
 
-/// A vertex and a fragment shader. Setting a uniform that the program does not use does nothing.
+/// A program of shaders. Setting a uniform that it does not use does nothing.
 class GlProgram {
  public:
-  /// From shadersFolder()/NAME.vert and NAME.frag. Throws Error (internal) with the file and GL's log.
-  explicit GlProgram(const std::string& name);
+  /// From shadersFolder()/NAME.vert and NAME.frag, or from NAME.comp. Throws Error (internal) with the file and GL's
+  /// log.
+  explicit GlProgram(const std::string& name, bool compute = false);
 
   /// Makes it current; the setters need that.
   void use() const;

@@ -73,6 +73,7 @@ Gui::Gui(const Window& window, float scale) {
   if (!platform || !ImGui_ImplOpenGL3_Init("#version 330 core"))
     throw Error("Dear ImGui's backends do not start on this window", ExitCode::internal);
   setScale(scale);
+  ImGui_ImplOpenGL3_CreateDeviceObjects();
 }
 
 Gui::~Gui() {
@@ -84,13 +85,17 @@ Gui::~Gui() {
 void Gui::setScale(float scale) {
   scale = std::clamp(scale, 0.5f, 8.0f);
   if (scale == scale_) return;
+  bool const first = scale_ == 0;
   scale_ = scale;
   ImGuiStyle style;
   setColours(style);
   setSizes(style, scale);
   ImGui::GetStyle() = style;
   setFont(scale);
-  ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them, with the font's new texture
+  if (first) return;
+  // The texture alone: the backend of 1.86 does not notice that buffers which it makes again are empty.
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 void Gui::beginBackends() {

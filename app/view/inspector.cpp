@@ -9,8 +9,6 @@
 
 #include "app/view/false_colour.h"
 #include "app/view/panel.h"
-#include "app/view/panel_parts.h"
-#include "app/view/widgets.h"
 #include "render/film/tonemap.h"
 
 namespace ropelight::view {
@@ -77,8 +75,10 @@ void drawMagnifier(const std::vector<float>& image, const ToneSettings& tone, fl
 
 void valueCell(float value) {
   ImGui::TableNextColumn();
-  if (std::isfinite(value)) ImGui::Text("%11.5g", double(value));
-  else ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(magenta), "%11s", std::isnan(value) ? "NaN" : "Inf");
+  if (std::isfinite(value))
+    ImGui::Text("%11.5g", double(value));
+  else
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(magenta), "%11s", std::isnan(value) ? "NaN" : "Inf");
 }
 
 void channelRow(const char* name, const std::array<Pixel, 3>& pixels, int channel) {
@@ -86,8 +86,10 @@ void channelRow(const char* name, const std::array<Pixel, 3>& pixels, int channe
   ImGui::TableNextColumn();
   ImGui::TextDisabled("%s", name);
   for (const Pixel& pixel : pixels) {
-    if (pixel.onFilm()) valueCell(channel < 3 ? pixel.value[channel] : pixel.mean());
-    else ImGui::TableNextColumn();
+    if (pixel.onFilm())
+      valueCell(channel < 3 ? pixel.value[channel] : pixel.mean());
+    else
+      ImGui::TableNextColumn();
   }
 }
 
@@ -102,8 +104,10 @@ void differenceRow(const std::array<Pixel, 3>& pixels) {
     ImGui::TableNextColumn();
     float const difference = pixels[i].mean() - pixels[base].mean();
     if (!pixels[i].onFilm() || !std::isfinite(difference)) continue;
-    if (pixels[base].mean() != 0) ImGui::Text("%+10.2f%%", 100 * double(difference / pixels[base].mean()));
-    else ImGui::Text("%+11.4g", double(difference));
+    if (pixels[base].mean() != 0)
+      ImGui::Text("%+10.2f%%", 100 * double(difference / pixels[base].mean()));
+    else
+      ImGui::Text("%+11.4g", double(difference));
   }
 }
 
@@ -116,8 +120,10 @@ void drawTable(const PanelContext& context, float edge) {
   for (std::size_t i = 0; i < 3; ++i) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", imageNames[i]);
-    if (context.magnifier[i].empty()) ImGui::Dummy({edge, edge});
-    else drawMagnifier(context.magnifier[i], context.state.tone, edge);
+    if (context.magnifier[i].empty())
+      ImGui::Dummy({edge, edge});
+    else
+      drawMagnifier(context.magnifier[i], context.state.tone, edge);
   }
   constexpr const char* rows[] = {"red", "green", "blue", "mean"};
   for (int channel = 0; channel < 4; ++channel) channelRow(rows[channel], pixels, channel);
@@ -132,10 +138,12 @@ void drawInspector(PanelContext& context) {
   ImGui::SetNextWindowPos({size, size}, ImGuiCond_FirstUseEver);
   constexpr auto flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
   if (ImGui::Begin("Inspector", &context.state.inspectorShown, flags)) {
-    if (context.cursorOnPicture) ImGui::Text("pixel %d, %d", context.cursorX, context.cursorY);
-    else quietText("Point at the picture.");
+    if (context.cursorOnPicture)
+      ImGui::Text("pixel %d, %d", context.cursorX, context.cursorY);
+    else
+      ImGui::TextDisabled("Point at the picture.");
     drawTable(context, std::floor(size * 7 / float(magnified)) * float(magnified));
-    quietText("linear radiance, W/(sr m^2)");
+    ImGui::TextDisabled("linear radiance, W/(sr m^2)");
   }
   ImGui::End();
 }

@@ -47,8 +47,8 @@ double sliderValue(const SliderRange& range, double position) {
   if (position >= 1) return range.high;
   double value = range.logarithmic ? range.low * std::pow(range.high / range.low, position)
                                    : range.low + position * (range.high - range.low);
-  double const step = range.logarithmic ? powerOfTenBelow(value) / 100
-                                        : powerOfTenBelow((range.high - range.low) / sliderSteps);
+  double const step =
+      range.logarithmic ? powerOfTenBelow(value) / 100 : powerOfTenBelow((range.high - range.low) / sliderSteps);
   value = roundTo(value, step);
   if (range.whole) value = std::round(value);
   return std::clamp(value, range.low, range.high);

@@ -38,8 +38,7 @@ std::vector<LineVertex> cellEdges(const std::vector<KdCell>& cells) {
   for (const KdCell& cell : cells)
     for (int corner : edges) {
       const float* b = cell.bounds;
-      vertices.push_back(
-          {{b[corner & 1 ? 3 : 0], b[corner & 2 ? 4 : 1], b[corner & 4 ? 5 : 2]}, float(cell.depth)});
+      vertices.push_back({{b[corner & 1 ? 3 : 0], b[corner & 2 ? 4 : 1], b[corner & 4 ? 5 : 2]}, float(cell.depth)});
     }
   return vertices;
 }

@@ -14,8 +14,8 @@
 
 namespace ropelight::view {
 
-/// What the overlay's shaders need of a camera. Positions are taken relative to the camera before anything else, its own
-/// position being split into two floats, so that scenes far from the origin do not jitter.
+/// What the overlay's shaders need of a camera. Positions are taken relative to the camera before anything else, its
+/// own position being split into two floats, so that scenes far from the origin do not jitter.
 struct OverlayCamera {
   std::array<float, 3> positionHigh{}, positionLow{};
   std::array<float, 3> right{}, up{}, forward{};  ///< dot products with them give clip coordinates x, y and w

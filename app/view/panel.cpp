@@ -70,8 +70,7 @@ void drawEstimates(PanelContext& context) {
     ImGui::PopStyleColor();
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(
-        progress(context.estimates[std::size_t(which)], state.settings[std::size_t(which)]).c_str());
+    ImGui::TextUnformatted(progress(context.estimates[std::size_t(which)], state.settings[std::size_t(which)]).c_str());
   }
 }
 
@@ -95,8 +94,8 @@ struct Part {
 };
 
 constexpr Part parts[] = {
-    {"Settings", true, drawSettings}, {"Compare", false, drawCompare},       {"Display", true, drawTone},
-    {"Overlays", false, drawOverlays}, {"Camera", false, drawCamera}, {"Statistics", true, drawStatistics},
+    {"Settings", true, drawSettings},  {"Compare", false, drawCompare}, {"Display", true, drawTone},
+    {"Overlays", false, drawOverlays}, {"Camera", false, drawCamera},   {"Statistics", true, drawStatistics},
     {"Files", false, drawFiles},
 };
 

@@ -30,12 +30,13 @@ struct PanelContext {
   DisplayTimes displayTimes;
   double framesPerSecond = 0;
   std::string sceneName;
-  std::string problem;   ///< the latest failure to load or save; empty: none
-  std::string notice;    ///< the latest thing that was done, such as a file saved
+  std::string problem;  ///< the latest failure to load or save; empty: none
+  std::string notice;   ///< the latest thing that was done, such as a file saved
   bool cursorOnPicture = false;
   int cursorX = 0, cursorY = 0;  ///< pixel of the film under the cursor
-  /// Pixels around the cursor as they are in the textures: RGBA of A, B and the reference, rows from the top, `magnified`
-  /// squared of them each, the cursor's in the middle; outside the film NaN alpha. Empty where there is no such image.
+  /// Pixels around the cursor as they are in the textures: RGBA of A, B and the reference, rows from the top,
+  /// `magnified` squared of them each, the cursor's in the middle; outside the film NaN alpha. Empty where there is no
+  /// such image.
   std::array<std::vector<float>, 3> magnifier;
 };
 

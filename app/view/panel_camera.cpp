@@ -26,8 +26,8 @@ bool editPoint(const char* name, const char* mark, Vec3d& point, double distance
   rowLabel(name, {.doc = doc});
   ImGui::PushID(mark);
   ImGui::SetNextItemWidth(-1);
-  bool const changed =
-      ImGui::DragScalarN("##point", ImGuiDataType_Double, &point.x, 3, float(distance) * 0.004f, nullptr, nullptr, "%.4g");
+  bool const changed = ImGui::DragScalarN("##point", ImGuiDataType_Double, &point.x, 3, float(distance) * 0.004f,
+                                          nullptr, nullptr, "%.4g");
   ImGui::PopID();
   markWidget(mark);
   return changed;
@@ -36,7 +36,8 @@ bool editPoint(const char* name, const char* mark, Vec3d& point, double distance
 void drawPlace(CameraControl& control) {
   CameraDesc camera = control.camera();
   double const distance = glm::length(camera.target - camera.position);
-  bool changed = editPoint("position", "camera/position", camera.position, distance, "in scene units; drag, or Ctrl+click");
+  bool changed =
+      editPoint("position", "camera/position", camera.position, distance, "in scene units; drag, or Ctrl+click");
   changed |= editPoint("target", "camera/target", camera.target, distance, "what orbit turns around");
   if (changed && isUsable(camera)) control.setCamera(camera);
 }

@@ -26,8 +26,9 @@ void drawLayout(CompareSettings& compare) {
     editParam("compare", "rate", compare.flickerHz,
               {.doc = "swaps a second", .min = 0.1, .max = 30, .unit = "Hz", .logarithmic = true});
   if (compare.layout == Layout::difference)
-    editParam("compare", "gain", compare.gain,
-              {.doc = "of the absolute difference", .min = 1e-3, .max = 1e6, .low = 0.1, .high = 1000, .logarithmic = true});
+    editParam(
+        "compare", "gain", compare.gain,
+        {.doc = "of the absolute difference", .min = 1e-3, .max = 1e6, .low = 0.1, .high = 1000, .logarithmic = true});
 }
 
 void drawReference(PanelContext& context) {
@@ -57,7 +58,7 @@ void drawVerdict(const PanelContext& context) {
   drawError("error of A", a);
   if (!context.state.compare.enabled) return;
   drawError("error of B", b);
-  if (context.reference.present) ImGui::TextWrapped("%s", closerSentence(errorCurve(a), errorCurve(b)).c_str());
+  if (context.reference.present) wrappedText(closerSentence(errorCurve(a), errorCurve(b)));
 }
 
 }  // namespace

@@ -57,8 +57,10 @@ void keepOrdered(ToneSettings& tone, bool lowMoved) {
   tone.falseHigh = std::max(tone.falseHigh, 10 * least);
   if (tone.falseLogarithmic) tone.falseLow = std::max(tone.falseLow, least);
   if (tone.falseHigh > tone.falseLow) return;
-  if (lowMoved) tone.falseHigh = tone.falseLow * 10;
-  else tone.falseLow = tone.falseHigh / 10;
+  if (lowMoved)
+    tone.falseHigh = tone.falseLow * 10;
+  else
+    tone.falseLow = tone.falseHigh / 10;
 }
 
 void drawFalseColour(PanelContext& context) {
@@ -86,10 +88,12 @@ void drawPhotonOverlay(PhotonOverlay& photons) {
   editParam("photons", "most-bounces", photons.mostBounces,
             {.doc = "edges from the light", .min = 1, .max = 1024, .low = 1, .high = 32});
   photons.mostBounces = std::max(photons.mostBounces, photons.fewestBounces);
-  editParam("photons", "global", photons.global, {.doc = "photons that met a diffuse surface before, or came directly"});
+  editParam("photons", "global", photons.global,
+            {.doc = "photons that met a diffuse surface before, or came directly"});
   editParam("photons", "caustic", photons.caustic, {.doc = "photons that came by specular bounces alone"});
-  editParam("photons", "most", photons.most,
-            {.doc = "points drawn, evenly chosen", .min = 1, .max = 1e8, .low = 1000, .high = 4e6, .logarithmic = true});
+  editParam(
+      "photons", "most", photons.most,
+      {.doc = "points drawn, evenly chosen", .min = 1, .max = 1e8, .low = 1000, .high = 4e6, .logarithmic = true});
 }
 
 void drawTreeOverlay(PanelContext& context) {
@@ -122,10 +126,11 @@ void drawTone(PanelContext& context) {
 }
 
 void drawOverlays(PanelContext& context) {
+  quietText("Photons");
   drawPhotonOverlay(context.state.photons);
-  ImGui::Separator();
+  quietText("Cells of the kd-tree");
   drawTreeOverlay(context);
-  ImGui::Separator();
+  quietText("Picture");
   editParam("picture", "brightness", context.state.imageBrightness,
             {.doc = "of the picture under the overlays", .min = 0, .max = 1});
 }

@@ -19,9 +19,9 @@ bool partHeader(const char* name, bool open) {
 
 bool subHeader(const std::string& name, bool open) {
   ImGui::SetNextItemOpen(open, ImGuiCond_Once);
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_PlotLines));
-  bool const shown = ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                                                         ImGuiTreeNodeFlags_SpanAvailWidth);
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+  bool const shown =
+      ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
   ImGui::PopStyleColor();
   markWidget(fmt::format("group/{}", name));
   return shown;
@@ -52,13 +52,13 @@ float buttonWidth(int count) {
 
 void problemText(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.42f, 0.38f, 1.0f));
-  ImGui::TextWrapped("%s", text.c_str());
+  wrappedText(text);
   ImGui::PopStyleColor();
 }
 
 void quietText(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  ImGui::TextWrapped("%s", text.c_str());
+  wrappedText(text);
   ImGui::PopStyleColor();
 }
 

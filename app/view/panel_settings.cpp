@@ -27,8 +27,10 @@ void drawTree(const Stats& stats) {
 
 void drawState(const EstimateStatus& status) {
   if (!status.problem.empty()) problemText(status.problem);
-  if (status.building) ImGui::TextDisabled("building...");
-  else if (status.draft) ImGui::TextDisabled("draft while the camera moves");
+  if (status.building)
+    ImGui::TextDisabled("building...");
+  else if (status.draft)
+    ImGui::TextDisabled("draft while the camera moves");
 }
 
 }  // namespace

@@ -77,8 +77,10 @@ void numberCell(double value, bool strong) {
   ImGui::TableNextColumn();
   float const width = ImGui::CalcTextSize(text.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(ImGui::GetContentRegionAvail().x - width, 0.0f));
-  if (strong) ImGui::TextUnformatted(text.c_str());
-  else ImGui::TextDisabled("%s", text.c_str());
+  if (strong)
+    ImGui::TextUnformatted(text.c_str());
+  else
+    ImGui::TextDisabled("%s", text.c_str());
 }
 
 void nameCell(const std::string& name, ImU32 colour) {

@@ -19,8 +19,8 @@ void drawDevice(const PanelContext& context) {
   valueRow("device", context.backend);
   valueRow("display", context.displayPath, "how the pixels get from the renderer into the window, and why so");
   const DisplayTimes& times = context.displayTimes;
-  valueRow("cost of display", fmt::format("{:.2f} ms upload, {:.2f} ms draw, {:.2f} ms CPU", times.upload, times.draw,
-                                          times.cpu),
+  valueRow("cost of display",
+           fmt::format("upload {:.2f} ms, draw {:.2f} ms, CPU {:.2f} ms", times.upload, times.draw, times.cpu),
            "medians over the latest frames");
   valueRow("frames", fmt::format("{:.1f} a second", context.framesPerSecond));
 }
@@ -32,15 +32,18 @@ void drawRates(const Stats& stats) {
   if (stats.photonPaths == 0) return;
   valueRow("photons", fmt::format("{:.4g} M/s", megaPhotons(stats)), "photon paths emitted");
   double const each = double(stats.photonsStored) / double(std::max<std::uint64_t>(stats.iterations, 1));
-  valueRow("stored", fmt::format("{:.4g} an iteration", each), "photons that met a diffuse surface");
-  valueRow("gather radius", fmt::format("{} now, {} at first", shortNumber(stats.radius), shortNumber(stats.firstRadius)),
+  valueRow("stored", fmt::format("{:.0f} an iteration", each), "photons that met a diffuse surface");
+  valueRow("gather radius",
+           fmt::format("{} now, {} at first", shortNumber(stats.radius), shortNumber(stats.firstRadius)),
            "scene units");
 }
 
 // Counts that should be zero stand out where they are not.
 void drawWarnings(const Stats& stats) {
-  if (stats.nonFinite > 0) problemText(fmt::format("{} samples were NaN or infinite and left out", stats.nonFinite));
-  else valueRow("non-finite", "none", "samples that were NaN or infinite and left out");
+  if (stats.nonFinite > 0)
+    problemText(fmt::format("{} samples were NaN or infinite and left out", stats.nonFinite));
+  else
+    valueRow("non-finite", "none", "samples that were NaN or infinite and left out");
   if (stats.truncatedPaths > 0)
     valueRow("truncated", fmt::format("{} paths", stats.truncatedPaths), "cut at the hard depth limit");
   if (stats.regrown > 0)

@@ -15,8 +15,8 @@
 namespace ropelight::view {
 namespace {
 
-constexpr float labelShare = 0.42f;  // of the panel's width
-constexpr float tipWidth = 32;       // in font sizes
+constexpr float labelShare = 0.415f;  // of the panel's width
+constexpr float tipWidth = 32;        // in font sizes
 
 // One slider is dragged, and one number typed, at a time.
 struct {
@@ -88,11 +88,12 @@ void showAutomatic(const std::string& mark, T resolved, const ParamInfo& info) {
   float const width = ImGui::GetContentRegionAvail().x;
   std::string const number = resolved != T{} ? shortNumber(resolved) : std::string();
   std::string text = number.empty() ? std::string(info.zero) : fmt::format("{}: {}", info.zero, number);
-  bool const fits = ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x <= width;
-  if (!fits && !number.empty()) text = number;
+  if (ImGui::CalcTextSize(text.c_str()).x > width && !number.empty()) text = number;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
   ImGui::BeginDisabled();
   ImGui::Button((text + "##automatic").c_str(), {width, 0});
   ImGui::EndDisabled();
+  ImGui::PopStyleVar();
   markWidget(mark);
   paramTip(info);
 }
@@ -117,8 +118,10 @@ bool editNumber(const std::string& prefix, const char* name, T& value, const Par
     if (changed) value = automatic ? T{} : firstValue(resolved, info);
     ImGui::SameLine();
   }
-  if (*info.zero && value == T{}) showAutomatic(mark, resolved, info);
-  else changed |= slideOrType(mark, value, info);
+  if (*info.zero && value == T{})
+    showAutomatic(mark, resolved, info);
+  else
+    changed |= slideOrType(mark, value, info);
   ImGui::PopID();
   return changed;
 }
@@ -144,6 +147,28 @@ bool comboOf(const std::string& mark, const ParamInfo& info, const std::string& 
   return changed;
 }
 
+// What is too long for the column is cut, and whole in the tooltip.
+void labelColumn(const char* name, const ParamInfo& info) {
+  ImVec2 const start = ImGui::GetCursorPos(), low = ImGui::GetCursorScreenPos();
+  float const width = std::floor(ImGui::GetContentRegionAvail().x * labelShare);
+  float const gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  std::string label(name);
+  std::replace(label.begin(), label.end(), '-', ' ');
+
+  ImGui::PushClipRect(low, {low.x + width - gap / 2, low.y + 2 * ImGui::GetFrameHeight()}, true);
+  ImGui::BeginGroup();
+  ImGui::TextUnformatted(label.c_str());
+  if (*info.unit) {
+    ImGui::SameLine(0, gap);
+    ImGui::TextDisabled("%s", info.unit);
+  }
+  ImGui::EndGroup();
+  ImGui::PopClipRect();
+  paramTip(info);
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(start.x + width);
+}
+
 }  // namespace
 
 std::vector<std::string> splitChoices(const char* choices) {
@@ -167,32 +192,31 @@ void paramTip(const ParamInfo& info) {
 }
 
 void rowLabel(const char* name, const ParamInfo& info) {
-  ImVec2 const start = ImGui::GetCursorPos(), low = ImGui::GetCursorScreenPos();
-  float const width = std::floor(ImGui::GetContentRegionAvail().x * labelShare);
-  std::string label(name);
-  std::replace(label.begin(), label.end(), '-', ' ');
-
-  ImGui::PushClipRect(low, {low.x + width - ImGui::GetStyle().ItemInnerSpacing.x, low.y + 2 * ImGui::GetFrameHeight()},
-                      true);
-  ImGui::BeginGroup();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label.c_str());
-  if (*info.unit) {
-    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    ImGui::TextDisabled("%s", info.unit);
+  labelColumn(name, info);
+}
+
+void wrappedText(const std::string& text) {
+  float const width = ImGui::GetContentRegionAvail().x;
+  std::string lines, line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    std::string const longer = line.empty() ? word : line + " " + word;
+    if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
+      lines += line + "\n";
+      line = word;
+    } else {
+      line = longer;
+    }
   }
-  ImGui::EndGroup();
-  ImGui::PopClipRect();
-  paramTip(info);
-  ImGui::SameLine();
-  ImGui::SetCursorPosX(start.x + width);
+  ImGui::PushTextWrapPos(0);  // for a word that is longer than a line
+  ImGui::TextUnformatted((lines + line).c_str());
+  ImGui::PopTextWrapPos();
 }
 
 void valueRow(const char* name, const std::string& text, const char* doc) {
-  rowLabel(name, ParamInfo{.doc = doc});
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  labelColumn(name, ParamInfo{.doc = doc});
+  wrappedText(text);
 }
 
 bool editParam(const std::string& prefix, const char* name, std::string& value, const ParamInfo& info,

@@ -13,6 +13,8 @@ namespace ropelight::view {
 
 /// The label in the left column, its unit after it and a tooltip over both; the next item fills the right column.
 void rowLabel(const char* name, const ParamInfo& info);
+/// Broken between words at the end of the line, never within a number.
+void wrappedText(const std::string& text);
 /// A row that shows a text.
 void valueRow(const char* name, const std::string& text, const char* doc = "");
 /// Doc, limits and unit, while the latest item is hovered.
@@ -31,7 +33,7 @@ bool editParam(const std::string& prefix, const char* name, double& value, const
 /// A combo of info.choices whose entries are the enumerators in order.
 bool editChoice(const std::string& prefix, const char* name, int& index, const ParamInfo& info);
 template <class E>
-  requires std::is_enum_v<E>
+requires std::is_enum_v<E>
 bool editChoice(const std::string& prefix, const char* name, E& value, const ParamInfo& info) {
   int index = int(value);
   bool const changed = editChoice(prefix, name, index, info);

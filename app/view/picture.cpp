@@ -71,8 +71,8 @@ void Picture::update(PixelSource& source, const std::array<EstimateStatus, 3>& e
 bool Picture::fits(int width, int height) {
   int const most = maxTextureSize();
   if (width <= most && height <= most) return true;
-  problem_ = fmt::format("a picture of {} x {} pixels is not shown: this GL takes at most {} x {}", width, height, most,
-                         most);
+  problem_ =
+      fmt::format("a picture of {} x {} pixels is not shown: this GL takes at most {} x {}", width, height, most, most);
   return false;
 }
 
@@ -84,10 +84,12 @@ bool Picture::uploadPixels(ImageOnGpu& image, int width, int height, const float
     image = {};
     return false;
   }
+  if (!pixels) {
+    upload_(*image.buffer, *image.texture);
+    return true;
+  }
   glBindTexture(GL_TEXTURE_2D, image.texture->name());
-  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, pixels ? 0 : image.buffer->name());
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, pixels);
-  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
   glBindTexture(GL_TEXTURE_2D, 0);
   return true;
 }

@@ -8,12 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "app/view/frame_cache.h"
 #include "app/view/frame_timer.h"
 #include "app/view/gl.h"
 #include "app/view/pixel_path.h"
 #include "app/view/pixel_source.h"
 #include "app/view/rect.h"
 #include "app/view/renderer.h"
+#include "app/view/upload.h"
 #include "app/view/view_state.h"
 
 namespace ropelight::view {
@@ -25,7 +27,8 @@ class Picture {
   /// Pixels come from the memory of this GPU (−1: from host memory). Throws Error (internal) where the shaders fail.
   Picture(int gpu, bool allowInterop);
 
-  /// Brings what changed into the textures that the state needs, and gives up those that it does not need. Once a frame.
+  /// Brings what changed into the textures that the state needs, and gives up those that it does not need. Once a
+  /// frame.
   void update(PixelSource& source, const std::array<EstimateStatus, 3>& estimates, const ReferenceStatus& reference,
               const ViewState& state);
   /// Draws into `place`, of a framebuffer of that height, the layout's pictures letterboxed on a dark ground. `seconds`
@@ -52,7 +55,8 @@ class Picture {
   /// n·n RGBA values around pixel (x, y) of A's film as they are in another image's texture, from the top row, n odd;
   /// outside of it NaN in all four. Empty without a texture. Waits for the GPU.
   std::vector<float> readAround(int which, int x, int y, int n);
-  /// The pixel buffer of A or B as GL has it: width·height RGBA, from the top row. Empty without one. Waits for the GPU.
+  /// The pixel buffer of A or B as GL has it: width·height RGBA, from the top row. Empty without one. Waits for the
+  /// GPU.
   std::vector<float> pixelBuffer(int which) const;
 
   /// "interop: …" or "copy: …", with the reason.
@@ -81,14 +85,32 @@ class Picture {
   void updateReference(const ReferenceStatus& status);
   bool fits(int width, int height);
   bool uploadPixels(ImageOnGpu& image, int width, int height, const float* pixels);
+  void clearGround(const Rect& place, int framebufferHeight) const;
   bool shown(int which) const { return images_[std::size_t(which)].version != 0; }
   void place(const Rect& place, const ViewState& state, double seconds);
   void drawSide(int side, Layout layout, int framebufferHeight, const ViewState& state);
   void setTone(const ViewState& state);
 
+  /// All that the pixels of a frame depend on.
+  struct Look {
+    Rect place, left, right;
+    std::array<std::uint64_t, 3> versions{};
+    ToneSettings tone;
+    Layout layout = Layout::single;
+    int image = 0, other = 0;
+    float split = 0, gain = 0, brightness = 0;
+    bool operator==(const Look&) const = default;
+  };
+  Look lookOf(const Rect& place, const ViewState& state) const;
+  void drawPictures(const Rect& place, int framebufferHeight, const ViewState& state);
+
   std::array<ImageOnGpu, 3> images_;
   std::array<SideRects, 2> sides_;
   GlProgram program_;
+  Upload upload_;
+  FrameCache cache_;
+  Look latest_;
+  int unchanged_ = 0;  ///< frames with the latest look
   GlVertexArray noVertices_;
   std::array<GpuTimer, 3> uploadTimes_;
   GpuTimer drawTime_;

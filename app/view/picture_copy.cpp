@@ -10,8 +10,8 @@ class Mapping {
  public:
   Mapping(const GlBuffer& buffer, std::size_t bytes) {
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer.name());
-    memory_ = glMapBufferRange(GL_PIXEL_UNPACK_BUFFER, 0, GLsizeiptr(bytes),
-                               GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+    memory_ =
+        glMapBufferRange(GL_PIXEL_UNPACK_BUFFER, 0, GLsizeiptr(bytes), GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
   }
   ~Mapping() { unmap(); }
   Mapping(const Mapping&) = delete;

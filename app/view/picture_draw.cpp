@@ -46,27 +46,70 @@ void Picture::draw(const Rect& whole, int framebufferHeight, const ViewState& st
   cpuTime_.begin();
   drawTime_.begin();
   place(whole, state, seconds);
-  if (!whole.empty()) {
-    glDisable(GL_BLEND);
-    glDisable(GL_DITHER);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(whole.x, whole.bottom(framebufferHeight), whole.width, whole.height);
-    glClearColor(ground, ground, ground, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
-    program_.use();
-    setTone(state);
-    glBindVertexArray(noVertices_.name());
-    Layout const layout = compares(state) ? state.compare.layout : Layout::single;
-    drawSide(0, layout, framebufferHeight, state);
-    if (layout == Layout::sideBySide) drawSide(1, layout, framebufferHeight, state);
-    glBindVertexArray(0);
-    glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_SCISSOR_TEST);
+  Look const look = lookOf(whole, state);
+  unchanged_ = look == latest_ ? unchanged_ + 1 : 0;
+  latest_ = look;
+  if (unchanged_ < 2) cache_.drop();
+  if (!whole.empty() && !cache_.restore(whole, framebufferHeight)) {
+    drawPictures(whole, framebufferHeight, state);
+    if (unchanged_ >= 1) cache_.keep(whole, framebufferHeight);  // a picture that changes every frame is not copied
   }
   drawTime_.end();
   cpuTime_.end();
   cpuTime_.endFrame();
+}
+
+Picture::Look Picture::lookOf(const Rect& whole, const ViewState& state) const {
+  Look look{whole,
+            sides_[0].visible,
+            sides_[1].visible,
+            {},
+            state.tone,
+            Layout::single,
+            sides_[0].image,
+            otherImage(state),
+            state.compare.split,
+            state.compare.gain,
+            state.imageBrightness};
+  if (compares(state)) look.layout = state.compare.layout;
+  for (std::size_t k = 0; k < images_.size(); ++k) look.versions[k] = images_[k].version;
+  return look;
+}
+
+void Picture::drawPictures(const Rect& whole, int framebufferHeight, const ViewState& state) {
+  glDisable(GL_BLEND);
+  glDisable(GL_DITHER);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_SCISSOR_TEST);
+  clearGround(whole, framebufferHeight);
+  glScissor(whole.x, whole.bottom(framebufferHeight), whole.width, whole.height);
+  program_.use();
+  setTone(state);
+  glBindVertexArray(noVertices_.name());
+  Layout const layout = compares(state) ? state.compare.layout : Layout::single;
+  drawSide(0, layout, framebufferHeight, state);
+  if (layout == Layout::sideBySide) drawSide(1, layout, framebufferHeight, state);
+  glBindVertexArray(0);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+/// Leaves out where a lone picture will be, since on some GPUs filling costs as much as drawing.
+void Picture::clearGround(const Rect& whole, int framebufferHeight) const {
+  glClearColor(ground, ground, ground, 1.0f);
+  auto const clear = [&](const Rect& r) {
+    if (r.empty()) return;
+    glScissor(r.x, r.bottom(framebufferHeight), r.width, r.height);
+    glClear(GL_COLOR_BUFFER_BIT);
+  };
+  const Rect& p = sides_[0].picture;
+  bool const alone = sides_[1].picture.empty() || sides_[1].picture.x == p.x;
+  if (!alone || p.empty() || !shown(sides_[0].image)) return clear(whole);
+  clear({whole.x, whole.y, whole.width, p.y - whole.y});
+  clear({whole.x, p.y + p.height, whole.width, whole.y + whole.height - p.y - p.height});
+  clear({whole.x, p.y, p.x - whole.x, p.height});
+  clear({p.x + p.width, p.y, whole.x + whole.width - p.x - p.width, p.height});
 }
 
 void Picture::drawSide(int side, Layout layout, int framebufferHeight, const ViewState& state) {
@@ -80,7 +123,11 @@ void Picture::drawSide(int side, Layout layout, int framebufferHeight, const Vie
     int const which = unit == 0 ? left : right;
     glActiveTexture(GLenum(GL_TEXTURE0 + unit));
     glBindTexture(GL_TEXTURE_2D, images_[std::size_t(which)].texture->name());
+    bool const nearest = rects.picture.width >= width(which);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
     program_.set(unit == 0 ? "left" : "right", unit);
+    program_.set(unit == 0 ? "leftSize" : "rightSize", std::array{float(width(which)), float(height(which))});
     program_.set(unit == 0 ? "leftScale" : "rightScale", float(rects.picture.width) / float(width(which)));
   }
   program_.set("size", std::array{float(rects.picture.width), float(rects.picture.height)});

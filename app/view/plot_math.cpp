@@ -8,8 +8,8 @@
 namespace ropelight::view {
 namespace {
 
-constexpr double narrowest = 3;          // factor that an axis spans at least
-constexpr double equallyClose = 0.02;    // relative difference that noise alone may make
+constexpr double narrowest = 3;        // factor that an axis spans at least
+constexpr double equallyClose = 0.02;  // relative difference that noise alone may make
 constexpr double smallest = 1e-300, largest = 1e300;
 
 bool isPositive(double v) { return v > 0 && std::isfinite(v); }
@@ -107,7 +107,8 @@ std::string closerSentence(const std::vector<PlotPoint>& a, const std::vector<Pl
   double const time = std::min(usableA.back().x, usableB.back().x);
   auto const errorA = interpolateLog(usableA, time), errorB = interpolateLog(usableB, time);
   if (!errorA || !errorB) return "No run time yet that both have reached.";
-  std::string const figures = fmt::format("{:.3g} against {:.3g}", std::min(*errorA, *errorB), std::max(*errorA, *errorB));
+  std::string const figures =
+      fmt::format("{:.3g} against {:.3g}", std::min(*errorA, *errorB), std::max(*errorA, *errorB));
   if (std::abs(*errorA - *errorB) <= equallyClose * std::max(*errorA, *errorB))
     return fmt::format("A and B are equally close after the same time: {} at {:.3g} s.", figures, time);
   return fmt::format("{} is closer after the same time: {} at {:.3g} s.", *errorA < *errorB ? "A" : "B", figures, time);

@@ -33,8 +33,8 @@ struct AxisTick {
   std::string label;  ///< empty for the thin lines between
 };
 
-/// Powers of ten with labels, thinned to at most `mostLabels`; 2 to 9 times them without, where decades are not thinned.
-/// Where fewer than two powers of ten lie inside, 2 and 5 times them have labels too.
+/// Powers of ten with labels, thinned to at most `mostLabels`; 2 to 9 times them without, where decades are not
+/// thinned. Where fewer than two powers of ten lie inside, 2 and 5 times them have labels too.
 std::vector<AxisTick> logTicks(LogRange range, int mostLabels);
 
 /// y = factor · x^exponent.

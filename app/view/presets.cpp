@@ -79,9 +79,9 @@ void applyPreset(ViewState& state, ViewMemory& memory, const Preset& preset, con
 
 const Preset* currentPreset(const ViewState& state) {
   bool const photonView = isDimmed(state);
-  const Preset* const found =
-      std::find_if(std::begin(presets), std::end(presets),
-                   [&](const Preset& preset) { return shows(preset, edited(state), photonView); });
+  const Preset* const found = std::find_if(std::begin(presets), std::end(presets), [&](const Preset& preset) {
+    return shows(preset, edited(state), photonView);
+  });
   return found == std::end(presets) ? nullptr : found;
 }
 

@@ -12,7 +12,7 @@ namespace ropelight::view {
 struct Preset {
   const char* name;
   const char* doc;
-  const char* mode;    ///< empty: as it is
+  const char* mode;  ///< empty: as it is
   const char* aov = "radiance";
   const char* direct = "shadow";
   bool indirectOnly = false;
@@ -26,7 +26,7 @@ inline constexpr Preset presets[] = {
     {.name = "indirect only", .doc = "what the photons alone bring", .mode = "sppm", .indirectOnly = true},
     {.name = "direct by photons", .doc = "photons carry the direct light too", .mode = "sppm", .direct = "photons"},
     {.name = "photons", .doc = "the stored photons as points", .mode = "sppm", .photons = true},
-    {.name = "traversal heat", .doc = "cells of the kd-tree that a camera ray visits", .mode = "", .aov = "traversal"},
+    {.name = "traversal heat", .doc = "what a camera ray costs: cells visited and primitives tested", .mode = "", .aov = "traversal"},
     {.name = "gather count", .doc = "photons that a gather finds", .mode = "sppm", .aov = "photon-count"},
     {.name = "gather radius", .doc = "radius of the gather", .mode = "sppm", .aov = "gather-radius"},
     {.name = "normals", .doc = "of the first hit", .mode = "", .aov = "normal"},

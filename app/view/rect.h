@@ -8,6 +8,7 @@ namespace ropelight::view {
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;
 
+  bool operator==(const Rect&) const = default;
   bool empty() const { return width <= 0 || height <= 0; }
   bool contains(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
   /// Its lower edge as GL counts, from the framebuffer's bottom.

@@ -39,6 +39,7 @@ struct EstimateStatus {
   std::uint64_t photonVersion = 0;     ///< changes with the photons
   std::uint32_t photonCount = 0;       ///< that copyPhotons has
   double iterationSeconds = 0;         ///< of the latest batch
+  double presentSeconds = 0;           ///< to make the latest pixels ready for copying
   std::deque<StageSample> stages;      ///< latest last; at most stageHistory
   std::vector<ErrorPoint> errors;      ///< by ascending seconds
   double slope = 0;                    ///< fitted to log relMSE over log seconds; NaN below three points

@@ -125,6 +125,7 @@ void Script::point(const Now& now) {
   float const middle = place ? (place->top + place->bottom) / 2 : 0;
   if (place && place->visible && middle >= 0 && middle < now.windowHeight)
     return finish(inputFrames(command, *place, held_));
+  if (command.optional && framesHere_ > settling && (!place || framesHere_ > patience)) return finish({held_});
   if (framesHere_ < patience) {
     if (place) frames_.push_back(scrollTowards(*place, now.windowHeight, held_));
     return;

@@ -212,8 +212,11 @@ std::vector<ScriptCommand> parseScript(const std::string& file, const std::strin
     try {
       std::vector<std::string> words = splitLine(line);
       if (words.empty()) continue;
+      bool const optional = words.size() > 1 && words[0] == "try";
+      if (optional) words.erase(words.begin());
       commands.push_back(parseLine(std::move(words)));
       commands.back().line = number;
+      commands.back().optional = optional;
     } catch (const Refusal& refusal) {
       throw Error(fmt::format("{}:{}: {}", file, number, refusal.why));
     }

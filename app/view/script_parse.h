@@ -18,6 +18,7 @@ struct ScriptCommand {
   int key = -1;                    ///< GLFW's number
   bool shift = false, control = false, alt = false;
   int frames = 0;
+  bool optional = false;  ///< "try": left out where its widget is not there
 };
 
 /// Throws Error (badInput), "FILE:LINE: what is wrong; what was expected".

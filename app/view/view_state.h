@@ -23,6 +23,8 @@ struct ToneSettings {
   float falseHigh = 10;
   bool falseLogarithmic = true;
   bool markNonFinite = true;  ///< magenta and black checks
+
+  bool operator==(const ToneSettings&) const = default;
 };
 
 struct CompareSettings {

@@ -1,6 +1,8 @@
 #include "app/view/viewer.h"
 
 #include <GL/glew.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -20,10 +22,11 @@
 namespace ropelight::view {
 namespace {
 
-constexpr double frameSecondsBusy = 1.0 / 60;   ///< while somebody is at mouse or keys
-constexpr double frameSecondsQuiet = 1.0 / 30;  ///< the time saved is the accumulation's
-constexpr float panelWidth = 390;               ///< at scale 1
-constexpr double matchPatience = 0.3;           ///< seconds that the window's size must hold
+constexpr double shortestFrame = 1.0 / 60;
+constexpr double longestFrame = 1.0 / 30;                   ///< where drawing leaves that much
+constexpr auto attention = std::chrono::milliseconds(700);  ///< after the latest input
+constexpr float panelWidth = 404;                           ///< at scale 1
+constexpr double matchPatience = 0.3;                       ///< seconds that the window's size must hold
 
 Size sizeOf(const ViewOptions& options, const Preferences& preferences) {
   if (options.window.empty()) return {preferences.width, preferences.height};
@@ -96,22 +99,45 @@ Viewer::~Viewer() = default;
 
 int Viewer::run() {
   while (!done_) {
-    takeInput();
     takeScenes();
-    drawInterface();
-    tellRenderer();
-    drawPicture();
-    finishFrame();
+    if (frameWanted()) {
+      takeInput();
+      drawInterface();
+      tellRenderer();
+      drawPicture();
+      finishFrame();
+    }
     pace();
+    if (window_.shouldClose() || stop_.requested()) done_ = true;
   }
+  if (options_.frames == 0 && !options_.state.empty()) writeState(options_.state);
   end();
   if (script_ && !script_->problem().empty()) throw Error(script_->problem(), ExitCode::internal);
   return int(ExitCode::done);
 }
 
+/// A window in which nothing would change is not drawn again: on a machine without a GPU the accumulation has better
+/// use for the time.
+bool Viewer::frameWanted() {
+  if (window_.takeActivity()) lastInput_ = Clock::now();
+  std::array<std::uint64_t, 6> shown{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    shown[2 * k] = estimates_[k].pixelVersion;
+    shown[2 * k + 1] = std::uint64_t(estimates_[k].building) + 2 * std::hash<std::string>()(estimates_[k].problem);
+  }
+  bool const changed = shown != shown_ || problem_ != shownProblem_;
+  bool const attended = Clock::now() - lastInput_ < attention || (script_ && script_->running());
+  bool const flickers = compares(state_) && state_.compare.layout == Layout::flicker;
+  if (!changed && !attended && !flickers && !lockStep_ && counts_.frames > 3) return false;
+  shown_ = shown;
+  shownProblem_ = problem_;
+  return true;
+}
+
 void Viewer::takeInput() {
   gui_.setScale(window_.contentScale() * float(options_.uiScale));
   gui_.beginBackends();
+  catchTaps();
   for (const std::string& file : window_.takeDroppedFiles()) actions_.open.push_back(file);
   if (!script_) return;
   const EstimateStatus& a = estimates_[estimateA];
@@ -122,6 +148,23 @@ void Viewer::takeInput() {
   for (const std::string& file : asked.stateFiles) stateFiles_.push_back(file);
   if (asked.resizeWidth > 0) window_.resize(asked.resizeWidth, asked.resizeHeight);
   if (asked.quit || !script_->problem().empty()) done_ = true;
+}
+
+/// A key that is up again before the frame began counts as down for this frame; the next one sees it released.
+void Viewer::catchTaps() {
+  ImGuiIO& io = ImGui::GetIO();
+  if (!taps_.empty()) {
+    io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
+    io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
+  }
+  for (int key : std::exchange(taps_, {})) io.KeysDown[key] = false;
+  for (const Window::KeyTap& tap : window_.takeKeyTaps()) {
+    if (tap.key < 0 || tap.key >= IM_ARRAYSIZE(io.KeysDown) || io.KeysDown[tap.key]) continue;
+    io.KeysDown[tap.key] = true;
+    io.KeyCtrl = io.KeyCtrl || (tap.modifiers & GLFW_MOD_CONTROL) != 0;
+    io.KeyShift = io.KeyShift || (tap.modifiers & GLFW_MOD_SHIFT) != 0;
+    taps_.push_back(tap.key);
+  }
 }
 
 /// Scenes that were read go to the renderer; the one that it shows decides camera and names.
@@ -170,10 +213,6 @@ void Viewer::drawInterface() {
   double const ratio = size.width > 0 ? double(fb.width) / size.width : 1;
   controls_.apply({state_, camera_, actions_, picture_, scene_.get(), ratio, frameSeconds_, viewScale()});
   if (!controls_.notice().empty()) notice_ = controls_.notice();
-  const ImGuiIO& io = ImGui::GetIO();
-  bool input = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || ImGui::IsAnyMouseDown();
-  for (bool down : io.KeysDown) input = input || down;
-  if (input) lastInput_ = Clock::now();
 }
 
 void Viewer::tellRenderer() {
@@ -231,11 +270,13 @@ void Viewer::drawPicture() {
   picture_.update(renderer_, estimates_, renderer_.referenceStatus(), state_);
   overlay_.update(renderer_, picture_, estimates_[estimateA], state_);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glDisable(GL_SCISSOR_TEST);
+  Rect const place = picturePlace();
   glViewport(0, 0, fb.width, fb.height);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(place.width, 0, std::max(fb.width - place.width, 0), fb.height);  // the picture clears its own place
   glClearColor(0.07f, 0.07f, 0.08f, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  picture_.draw(picturePlace(), fb.height, state_, counts_.seconds);
+  picture_.draw(place, fb.height, state_, counts_.seconds);
   overlay_.draw(picture_, estimates_[estimateA].camera, state_, fb.height, gui_.scale());
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, fb.width, fb.height);
@@ -251,28 +292,33 @@ void Viewer::finishFrame() {
   window_.swap();
   for (const std::string& file : std::exchange(stateFiles_, {})) writeState(file);
   setTitle();
-  if (last || window_.shouldClose()) done_ = true;
+  if (last) done_ = true;
 }
 
-/// Waits for events for what is left of the frame: the time is the accumulation's.
+/// Waits for events for what is left of the frame: the time is the accumulation's, half of it at least where drawing is
+/// done by the same cores.
 void Viewer::pace() {
   auto const elapsed = [this] { return std::chrono::duration<double>(Clock::now() - frameStart_).count(); };
-  bool const quiet = !script_ && Clock::now() - lastInput_ > std::chrono::milliseconds(500);
-  double const frame = quiet ? frameSecondsQuiet : frameSecondsBusy;
-  window_.poll(lockStep_ ? 0 : std::max(frame - elapsed(), 0.0));
-  if (!lockStep_ && !quiet)
+  double const frame = std::clamp(2 * elapsed(), shortestFrame, longestFrame);
+  if (!lockStep_)
     while (elapsed() < frame) window_.poll(frame - elapsed());  // events come in between
+  window_.poll();
+  bool const drawn = counts_.frames != framesBefore_, inARow = drawn && drewBefore_;
+  framesBefore_ = counts_.frames;
+  drewBefore_ = drawn;
   frameSeconds_ = elapsed();
   frameStart_ = Clock::now();
+  counts_.seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+  if (!inARow) return;
   frameMs_[counts_.frames % frameMs_.size()] = frameSeconds_ * 1e3;
   counts_.slowestMs = std::max(counts_.slowestMs, frameSeconds_ * 1e3);
-  counts_.seconds = std::chrono::duration<double>(Clock::now() - started_).count();
 }
 
 PanelContext Viewer::context() {
-  std::array<double, 120> sorted = frameMs_;
-  std::nth_element(sorted.begin(), sorted.begin() + 60, sorted.end());
-  counts_.medianMs = sorted[60];
+  std::vector<double> sorted(frameMs_.begin(), frameMs_.end());
+  std::erase(sorted, 0.0);
+  std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2), sorted.end());
+  counts_.medianMs = sorted.empty() ? 0 : sorted[sorted.size() / 2];
   PanelContext c{state_,
                  camera_,
                  actions_,
@@ -338,6 +384,8 @@ void Viewer::setTitle() {
 void Viewer::end() {
   if (preferencesFile_.empty()) return;
   Preferences kept{state_, camera_.views, camera_.speed, preferences_.width, preferences_.height};
+  if (viewMemory().tone) kept.state.tone = *viewMemory().tone;  // not those that a heat map has for itself
+  if (viewMemory().brightness) kept.state.imageBrightness = *viewMemory().brightness;
   Size const size = window_.windowSize();
   if (size.width >= 320 && size.height >= 240) {
     kept.width = size.width;

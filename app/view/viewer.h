@@ -8,6 +8,7 @@
 #include <new>
 #include <optional>
 
+#include "app/interrupt.h"
 #include "app/view.h"
 #include "app/view/controls.h"
 #include "app/view/files.h"
@@ -36,7 +37,9 @@ class Viewer {
   using Clock = std::chrono::steady_clock;
 
   /// What happens in one frame, in this order.
+  bool frameWanted();
   void takeInput();
+  void catchTaps();
   void takeScenes();
   void drawInterface();
   void tellRenderer();
@@ -72,6 +75,7 @@ class Viewer {
     }
   }
 
+  StopOnSignal const stop_;
   ViewOptions options_;
   bool const lockStep_;
   std::string problem_, notice_;
@@ -95,6 +99,11 @@ class Viewer {
   std::shared_ptr<const Scene> scene_;  ///< that the renderer shows
   std::uint64_t sceneVersion_ = 0;
   CameraDesc toldCamera_;
+  std::array<std::uint64_t, 6> shown_{};  ///< versions that the latest frame showed
+  std::string shownProblem_;
+  std::uint64_t framesBefore_ = 0;
+  bool drewBefore_ = false;
+  std::vector<int> taps_;  ///< keys held down for this frame alone
   std::vector<std::string> screenshots_, stateFiles_;
   FrameCounts counts_;
   std::array<double, 120> frameMs_{};

@@ -14,6 +14,8 @@
 namespace ropelight::view {
 namespace {
 
+Window& windowOf(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
 constexpr const char* remedy = "render to a file instead: ropelight render SCENE -o out.png";
 
 std::string& latestProblem() {
@@ -62,8 +64,7 @@ void startGlew() {
   glewExperimental = GL_TRUE;  // core profiles have no extension string for it to read
   GLenum const code = glewInit();
   if (code != GLEW_OK && code != GLEW_ERROR_NO_GLX_DISPLAY)  // Wayland has no GLX, and needs none
-    throw Error(fmt::format("no window: GLEW: {}; {}",
-                            reinterpret_cast<const char*>(glewGetErrorString(code)), remedy),
+    throw Error(fmt::format("no window: GLEW: {}; {}", reinterpret_cast<const char*>(glewGetErrorString(code)), remedy),
                 ExitCode::noDevice);
   clearGlErrors();
 }
@@ -91,8 +92,21 @@ Window::Window(const std::string& title, int width, int height, bool resizable) 
   glRenderer_ = glText(GL_RENDERER);
   setVsync(true);
   glfwSetWindowUserPointer(window_, this);
+  glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
+    Window& self = windowOf(window);
+    self.active_ = true;
+    if (action == GLFW_PRESS) self.taps_.push_back({key, modifiers});
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { windowOf(w).active_ = true; });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { windowOf(w).active_ = true; });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { windowOf(w).active_ = true; });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { windowOf(w).active_ = true; });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { windowOf(w).active_ = true; });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { windowOf(w).active_ = true; });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { windowOf(w).active_ = true; });
   glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
-    auto& dropped = static_cast<Window*>(glfwGetWindowUserPointer(window))->dropped_;
+    windowOf(window).active_ = true;
+    auto& dropped = windowOf(window).dropped_;
     dropped.insert(dropped.end(), paths, paths + count);
   });
 }
@@ -141,6 +155,9 @@ void Window::poll(double timeoutSeconds) {
 
 void Window::wake() { glfwPostEmptyEvent(); }
 void Window::swap() { glfwSwapBuffers(window_); }
+bool Window::takeActivity() { return std::exchange(active_, false); }
+std::vector<Window::KeyTap> Window::takeKeyTaps() { return std::exchange(taps_, {}); }
+
 std::vector<std::string> Window::takeDroppedFiles() { return std::exchange(dropped_, {}); }
 
 }  // namespace ropelight::view

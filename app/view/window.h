@@ -43,6 +43,13 @@ class Window {
   void swap();
   /// Files dropped on the window since the last call.
   std::vector<std::string> takeDroppedFiles();
+  /// Keys that went down since the last call, with GLFW's modifiers: a short tap may be over before anyone looks.
+  struct KeyTap {
+    int key = 0, modifiers = 0;
+  };
+  std::vector<KeyTap> takeKeyTaps();
+  /// Whether mouse, keys or the window itself did anything since the last call.
+  bool takeActivity();
 
   const std::string& glVersion() const { return glVersion_; }    ///< GL_VERSION
   const std::string& glRenderer() const { return glRenderer_; }  ///< GL_RENDERER
@@ -50,6 +57,8 @@ class Window {
  private:
   GLFWwindow* window_ = nullptr;
   std::vector<std::string> dropped_;
+  std::vector<KeyTap> taps_;
+  bool active_ = true;
   std::string title_, glVersion_, glRenderer_;
 };
 

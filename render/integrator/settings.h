@@ -41,7 +41,8 @@ struct Settings {
     v("mode", mode, I{.doc = "ray, path or sppm", .group = "Mode", .choices = "ray|path|sppm"});
     v("aov", aov,
       I{.doc = "what the film holds: radiance; at the first hit the normal, depth, albedo, traversal (tree cells "
-               "visited) or tests (primitives tested); of the sppm gather photon-count or gather-radius",
+               "visited and primitives tested) or tests (primitives tested); of the sppm gather photon-count or "
+               "gather-radius",
         .group = "Mode",
         .choices = "radiance|normal|depth|albedo|traversal|tests|photon-count|gather-radius"});
     v("direct", direct,

@@ -41,12 +41,12 @@ struct TraceAov {
     return albedo;
   }
 
-  /// Cells visited, or primitives tested, until the closest hit is known.
+  /// Primitives tested until the closest hit is known; for the traversal, with the tree's cells that were visited.
   RL_HD Rgb cost(const Ray& ray) const {
     int cells = 0, tests = int(frame.scene.primitiveCount);
     if constexpr ((F & feature::tree) != 0)
       if (!frame.scene.tree.nodes.empty()) countTraversal(ray, cells, tests);
-    return Rgb(float(aov == Aov::traversal ? cells : tests));
+    return Rgb(float(aov == Aov::traversal ? cells + tests : tests));
   }
 
   RL_HD void countTraversal(const Ray& ray, int& cells, int& tests) const {
