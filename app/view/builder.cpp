@@ -8,25 +8,39 @@
 namespace ropelight::view {
 namespace {
 
+/// What `make` throws, in words; empty: nothing.
+template <class Make>
+std::string problemOf(Make&& make) {
+  try {
+    make();
+    return {};
+  } catch (const std::bad_alloc&) {
+    return "out of memory; use a smaller film or fewer photons";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 Built build(Order order) {
   giveWay();
   Built built;
   built.order = std::move(order);
   Order& o = built.order;
-  try {
+  built.problem = problemOf([&] {
     if (!o.cache) o.cache = makeSceneCache(*o.scene);
-    for (const Order::Item& item : o.items) {
+  });
+  for (const Order::Item& item : o.items) {
+    std::unique_ptr<Integrator> made;
+    std::string const problem = !built.problem.empty() ? built.problem : problemOf([&] {
       Scene scene = *o.scene;
       scene.camera = item.target.camera;
-      built.integrators.push_back(makeIntegrator(scene, item.target.settings, o.backend, &built.backendText, o.cache));
-      built.integrators.back()->timeStages(o.stageTimes);
-    }
-  } catch (const std::bad_alloc&) {
-    built.problem = "out of memory; use a smaller film or fewer photons";
-  } catch (const std::exception& error) {
-    built.problem = error.what();
+      made = makeIntegrator(scene, item.target.settings, o.backend, &built.backendText, o.cache);
+      made->timeStages(o.stageTimes);
+    });
+    built.integrators.push_back(std::move(made));
+    built.problems.push_back(problem);
   }
-  if (!built.problem.empty()) built.integrators.clear();
+  if (!built.problems.empty()) built.problem = built.problems[0];
   return built;
 }
 

@@ -26,8 +26,9 @@ struct Order {
 
 struct Built {
   Order order;                                           ///< its cache made
-  std::vector<std::unique_ptr<Integrator>> integrators;  ///< one an item; empty where something failed
-  std::string problem;
+  std::vector<std::unique_ptr<Integrator>> integrators;  ///< one an item; null where it failed
+  std::vector<std::string> problems;                     ///< one an item
+  std::string problem;                                   ///< of the scene itself, or of its first item
   std::string backendText;
 };
 

@@ -40,6 +40,7 @@ class Registration {
       problem = words("cudaGraphicsMapResources", code);
       return nullptr;
     }
+    cudaStreamSynchronize(nullptr);  // GL's reads come before this stream's work alone, and the copy has another one
     void* memory = nullptr;
     std::size_t size = 0;
     cudaError_t const code = cudaGraphicsResourceGetMappedPointer(&memory, &size, resource_);

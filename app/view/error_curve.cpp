@@ -35,6 +35,7 @@ void ErrorCurve::thin() {
 }
 
 void ErrorCurve::measure(const Image& truth, std::uint64_t version) {
+  version_ = version;
   for (Entry& e : entries_) {
     if (e.measured == version || e.picture.width != truth.width || e.picture.height != truth.height) continue;
     e.point.relMse = compareImages(e.picture, truth).relMse;
@@ -45,7 +46,7 @@ void ErrorCurve::measure(const Image& truth, std::uint64_t version) {
 std::vector<ErrorPoint> ErrorCurve::points() const {
   std::vector<ErrorPoint> points;
   for (const Entry& e : entries_)
-    if (e.measured) points.push_back(e.point);
+    if (e.measured && e.measured == version_) points.push_back(e.point);
   return points;
 }
 

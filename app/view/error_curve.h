@@ -17,6 +17,7 @@ class ErrorCurve {
   /// Measures what was not yet measured against this version of the reference. Pictures of another size are left out.
   void measure(const Image& truth, std::uint64_t version);
 
+  /// Against the latest reference.
   std::vector<ErrorPoint> points() const;
   /// Of log relMSE over log seconds; NaN below three points.
   double slope() const;
@@ -30,6 +31,7 @@ class ErrorCurve {
   void thin();
 
   std::vector<Entry> entries_;
+  std::uint64_t version_ = 0;  ///< of the latest reference
   double next_ = 0;
 };
 

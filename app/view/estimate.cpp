@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <exception>
+#include <limits>
 
 namespace ropelight::view {
 
@@ -62,15 +63,18 @@ void Estimate::clearMeasurements() {
   curve_.clear();
   shown_.stages.clear();
   shown_.iterationSeconds = 0;
+  shown_.errors.clear();
+  shown_.slope = std::numeric_limits<double>::quiet_NaN();
   stats_ = integrator ? integrator->stats() : Stats{};
 }
 
 bool Estimate::advance(int count) {
   Stats const before = stats_;
   auto const start = std::chrono::steady_clock::now();
-  if (!integrator->advance(count)) return false;
+  bool const finished = integrator->advance(count);
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   clock += seconds;
+  if (!finished) return false;
   stats_ = integrator->stats();
   shown_.iterationSeconds = seconds / count;
   if (scale == 1)
@@ -79,6 +83,11 @@ bool Estimate::advance(int count) {
     fullSeconds_ = seconds / count * scale * scale;
   recordStages(before);
   return true;
+}
+
+void Estimate::reset() {
+  integrator->reset();
+  clearMeasurements();
 }
 
 void Estimate::recordStages(const Stats& before) {
@@ -96,6 +105,9 @@ void Estimate::recordStages(const Stats& before) {
 void Estimate::present(std::uint32_t photons) {
   std::lock_guard const lock(pixels_);
   auto const start = std::chrono::steady_clock::now();
+  shown_.ready = false;  // until the buffers that are copied from are whole
+  shown_.photonCount = 0;
+  shownPhotons = photons;
   if (!integrator->present()) return;
   shown_.presentSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   shown_.photonCount = photons > 0 ? integrator->presentPhotons(photons) : 0;
@@ -122,6 +134,12 @@ int Estimate::scaleFor(double seconds) const {
 }
 
 void Estimate::measure(const Image* truth, std::uint64_t version) {
+  measuredVersion = version;
+  if (!truth) {
+    curve_.clear();
+    shown_.errors.clear();
+    shown_.slope = std::numeric_limits<double>::quiet_NaN();
+  }
   if (scale > 1 || !truth) return;
   if (curve_.due(stats_.seconds) && stats_.iterations > 0)
     curve_.add(stats_.seconds, double(stats_.iterations), integrator->film());
@@ -140,7 +158,11 @@ bool Estimate::copyPixels(void* to, std::size_t capacity, int& width, int& heigh
   std::lock_guard const lock(pixels_);
   std::size_t const bytes = std::size_t(shown_.width) * std::size_t(shown_.height) * 4 * sizeof(float);
   if (!integrator || !shown_.ready || bytes > capacity) return false;
-  integrator->copyPixels(to);
+  try {
+    integrator->copyPixels(to);
+  } catch (const std::exception&) {  // the render thread meets it too, and says so
+    return false;
+  }
   width = shown_.width;
   height = shown_.height;
   iterations = shown_.pixelIterations;
@@ -150,8 +172,13 @@ bool Estimate::copyPixels(void* to, std::size_t capacity, int& width, int& heigh
 std::uint32_t Estimate::copyPhotons(PhotonPoint* to, std::uint32_t capacity) {
   std::lock_guard const lock(pixels_);
   std::uint32_t const count = std::min(shown_.photonCount, capacity);
-  if (integrator && count > 0) integrator->copyPhotons(to, count);
-  return integrator ? count : 0;
+  if (!integrator || count == 0) return 0;
+  try {
+    integrator->copyPhotons(to, count);
+  } catch (const std::exception&) {
+    return 0;
+  }
+  return count;
 }
 
 }  // namespace ropelight::view

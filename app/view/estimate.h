@@ -27,6 +27,8 @@ class Estimate {
   /// Restarts for the target, coarser by `scale`; `still`: the automatic radius may be looked for anew. False where
   /// another integrator is needed; throws as Integrator::restart.
   bool restart(const Target& target, const FilmDesc& film, int scale, bool still);
+  /// The same once more, from an empty film.
+  void reset();
   /// Adds iterations. False where it was interrupted.
   bool advance(int count);
   /// Brings pixels and photons up to date for the window.
@@ -35,6 +37,8 @@ class Estimate {
   /// Iterations that take about `seconds`; at least 1.
   int batchFor(double seconds) const;
   /// Nobody knows yet what an iteration takes.
+  /// Whether there are pixels of the present film to copy.
+  bool presented() const { return shown_.ready; }
   bool unmeasured() const { return fullSeconds_ == 0; }
   /// The coarsening at which one iteration takes at most `seconds`: 1, 2, 4 or 8.
   int scaleFor(double seconds) const;
@@ -52,7 +56,9 @@ class Estimate {
   bool settled = true;  ///< restarted since the last change, at full size
   double clock = 0;     ///< share of the machine's time, to be fair by
   std::string problem;
-  bool failed = false;  ///< the integrator threw: nothing more is expected of it
+  std::uint32_t shownPhotons = 0;     ///< that the latest present() was asked for
+  std::uint64_t measuredVersion = 0;  ///< of the reference, at the latest measure()
+  bool failed = false;                ///< the integrator threw: nothing more is expected of it
 
  private:
   void clearMeasurements();

@@ -4,6 +4,8 @@
 #include <exception>
 #include <new>
 
+#include "render/core/error.h"
+
 namespace ropelight::view {
 namespace {
 
@@ -59,7 +61,7 @@ void RenderThread::run() {
     Wanted const now = wanted;
     wanted.reset = false;
     lock.unlock();
-    bool const worked = turn(now);
+    bool const worked = guardedTurn(now);
     lock.lock();
     publish();
     serveFilm();
@@ -77,9 +79,26 @@ bool RenderThread::settled(const Wanted& now) const {
   return true;
 }
 
+/// What nobody expected ends the estimates, not the program.
+bool RenderThread::guardedTurn(const Wanted& now) {
+  try {
+    return turn(now);
+  } catch (const std::exception& error) {
+    for (Estimate& e : estimates) {
+      e.failed = true;
+      e.problem = error.what();
+    }
+    return false;
+  }
+}
+
 /// One round of what there is to do; false where there was nothing.
 bool RenderThread::turn(const Wanted& now) {
-  if (takeBuilt(now)) return true;  // the camera may be another scene's now
+  if (takeBuilt(now)) {  // the camera may be another scene's now
+    std::lock_guard const lock(mutex);
+    wanted.reset = wanted.reset || now.reset;
+    return true;
+  }
   bool worked = false;
   if (now.scene && !builder_.busy()) orderScene(now);
   for (int k = 0; k < count; ++k) apply(k, now);
@@ -88,6 +107,7 @@ bool RenderThread::turn(const Wanted& now) {
     advance(next, now);
     worked = true;
   }
+  for (int k : {estimateA, estimateB}) worked = refresh(k, now) || worked;
   return worked;
 }
 
@@ -110,23 +130,33 @@ bool RenderThread::takeBuilt(const Wanted& now) {
   std::optional<Built> built = builder_.take();
   if (!built) return false;
   bool const newScene = built->order.scene != scene;
-  if (!built->problem.empty()) {
+  if (newScene && !built->problem.empty()) {
     std::lock_guard const lock(mutex);
-    if (newScene) sceneProblem = built->problem;
-    if (!newScene)
-      for (const Order::Item& item : built->order.items) refuse(item.which, item.target, built->problem);
+    sceneProblem = built->problem;
     return true;
   }
   if (newScene) takeScene(*built);
-  for (std::size_t i = 0; i < built->integrators.size(); ++i) {
+  for (std::size_t i = 0; i < built->order.items.size(); ++i) {
     const Order::Item& item = built->order.items[i];
+    if (!built->integrators[i]) {
+      refuse(item.which, item.target, built->problems[i]);
+      continue;
+    }
     double const clock = leastClock(now);
     install(item.which, std::move(built->integrators[i]), item.target);
-    estimates[item.which].clock = clock;
-    // On a CPU the first picture is a draft, so that it comes soon and tells what an iteration takes.
-    if (!lockStep_ && estimates[item.which].scaleFor(draftSeconds) > 1) estimates[item.which].settled = false;
+    begin(item.which, now, clock);
   }
   return true;
+}
+
+/// A new integrator has as much of the time as the one that had least. On a CPU its first picture is a draft, so that
+/// it comes soon and tells what an iteration takes.
+void RenderThread::begin(int k, const Wanted& now, double clock) {
+  Estimate& e = estimates[k];
+  e.clock = clock;
+  if (lockStep_) return;
+  if (e.scaleFor(draftSeconds) > 1) e.settled = false;
+  if (now.paused && steps[std::size_t(k)] == 0) steps[std::size_t(k)] = 1;
 }
 
 void RenderThread::takeScene(const Built& built) {
@@ -138,6 +168,16 @@ void RenderThread::takeScene(const Built& built) {
   wanted.camera = built.order.items.empty() ? scene->camera : built.order.items[0].target.camera;
   sceneProblem.clear();
   backendWhy = built.backendText;
+  nextReference = 1;
+  dropAccumulated();
+}
+
+/// Under the mutex: an accumulating reference is of another picture now.
+void RenderThread::dropAccumulated() {
+  if (!shownReference.accumulating) return;
+  shownReference.image = nullptr;
+  shownReference.iterations = 0;
+  ++shownReference.version;
   nextReference = 1;
 }
 
@@ -166,16 +206,25 @@ Target RenderThread::targetOf(int k, const Wanted& now) const {
 void RenderThread::apply(int k, const Wanted& now) {
   Estimate& e = estimates[k];
   if (!now.enabled[std::size_t(k)]) {
+    if (e.integrator) refused_ = {};  // there may be room now
     if (e.integrator) install(k, nullptr, {});
     return;
   }
-  if (!scene || now.scene) return;
+  if (!scene) return;
   Target const target = targetOf(k, now);
   if (!e.integrator) return order(k, target, now);
   bool const moving = !lockStep_ && Clock::now() - now.changed < std::chrono::duration<double>(stillSeconds);
   int const scale = moving || draftWanted(k) ? e.scaleFor(draftSeconds) : 1;
   bool const same = e.applied == target && (e.settled || moving) && !broken_[std::size_t(k)] && !now.reset;
-  if (same || refused_[std::size_t(k)] == target) return;
+  if (same) {
+    if (!e.failed) e.problem.clear();
+    return;
+  }
+  if (refused_[std::size_t(k)] == target) {
+    if (broken_[std::size_t(k)] || now.reset) e.reset();
+    broken_[std::size_t(k)] = false;
+    return;
+  }
   restart(k, target, now, scale, !moving && scale == 1);
 }
 
@@ -187,17 +236,27 @@ void RenderThread::restart(int k, const Target& target, const Wanted& now, int s
   }
   try {
     if (!e.restart(target, scene->film, scale, still)) return order(k, target, now);
-    broken_[std::size_t(k)] = e.failed = false;
+    broken_[std::size_t(k)] = false;
     e.problem.clear();
+    if (e.failed) e.clock = std::max(e.clock, leastClock(now));
+    e.failed = false;
     if (now.paused && !lockStep_ && steps[std::size_t(k)] == 0) steps[std::size_t(k)] = 1;
   } catch (const std::bad_alloc&) {
     install(k, nullptr, {});
     refuse(k, target, noMemory);
-  } catch (const std::exception& error) {
+  } catch (const Error& error) {
     refuse(k, target, error.what());
-    if (broken_[std::size_t(k)]) e.integrator->reset();
-    broken_[std::size_t(k)] = false;
+    if (error.code() == ExitCode::usage) return keepSettings(k, now);
+    install(k, nullptr, {});  // half-way through
+    refuse(k, target, error.what());
   }
+}
+
+/// Settings that cannot be had leave the old ones, which go on under the new camera.
+void RenderThread::keepSettings(int k, const Wanted& now) {
+  Estimate& e = estimates[k];
+  broken_[std::size_t(k)] = false;
+  if (!e.restart({version, now.camera, e.applied.settings}, scene->film, 1, true)) e.reset();
 }
 
 double RenderThread::leastClock(const Wanted& now) const {
@@ -229,7 +288,11 @@ void RenderThread::advance(int k, const Wanted& now) {
   {
     std::lock_guard const lock(mutex);
     if (quit_) return;
-    interruptible_[std::size_t(k)] = e.scale == 1 && !lockStep_ ? e.integrator.get() : nullptr;
+    bool const lasting = e.settled && !lockStep_;
+    bool const outdated =
+        wanted.reset || wanted.camera != now.camera || wanted.settings[std::size_t(k)] != now.settings[std::size_t(k)];
+    if (lasting && outdated) return;
+    interruptible_[std::size_t(k)] = lasting ? e.integrator.get() : nullptr;
   }
   try {
     e.integrator->timeStages(now.stageTimes);
@@ -249,7 +312,13 @@ void RenderThread::advance(int k, const Wanted& now) {
 void RenderThread::afterAdvance(int k, const Wanted& now) {
   Estimate& e = estimates[k];
   e.present(k == reference ? 0 : now.photons);
-  if (k == reference) return renewReference(e);
+  if (k == reference)
+    renewReference(e);
+  else
+    measure(e);
+}
+
+void RenderThread::measure(Estimate& e) {
   std::shared_ptr<const Image> image;
   std::uint64_t imageVersion = 0;
   {
@@ -258,6 +327,28 @@ void RenderThread::afterAdvance(int k, const Wanted& now) {
     imageVersion = shownReference.version;
   }
   e.measure(image.get(), imageVersion);
+}
+
+/// What is shown of an estimate that does not go on follows what is asked of it: photons, and the reference.
+bool RenderThread::refresh(int k, const Wanted& now) {
+  Estimate& e = estimates[k];
+  EstimateStatus const& s = shown[std::size_t(k)];
+  if (!e.integrator || e.failed || broken_[std::size_t(k)] || s.pixelIterations == 0 || !e.presented()) return false;
+  bool worked = false;
+  if (e.shownPhotons != now.photons) {
+    e.present(now.photons);
+    worked = true;
+  }
+  std::uint64_t referenceVersion;
+  {
+    std::lock_guard const lock(mutex);
+    referenceVersion = shownReference.version;
+  }
+  if (e.measuredVersion != referenceVersion) {
+    measure(e);
+    worked = true;
+  }
+  return worked;
 }
 
 /// The reference that accumulates is looked at whenever it has doubled.
@@ -292,7 +383,7 @@ void RenderThread::serveFilm() {
   const Estimate& e = estimates[filmAsked_];
   filmAnswer_ = {};
   try {
-    if (e.integrator && !e.failed && !broken_[std::size_t(filmAsked_)])
+    if (e.integrator && !e.failed && !broken_[std::size_t(filmAsked_)] && e.scale == 1)
       filmAnswer_ = {e.integrator->film(), e.integrator->stats()};
   } catch (const std::exception&) {  // the estimate says so itself when it goes on
   }

@@ -50,6 +50,8 @@ class RenderThread {
   /// something is shown.
   void interrupt(int k);
   void interruptAll();
+  void dropAccumulated();
+  bool inLockStep() const { return lockStep_; }
 
   /// As Renderer's.
   void finishSteps();
@@ -73,6 +75,7 @@ class RenderThread {
 
  private:
   void run();
+  bool guardedTurn(const Wanted& now);
   bool turn(const Wanted& now);
   bool settled(const Wanted& now) const;
   bool draftWanted(int k) const;
@@ -83,6 +86,8 @@ class RenderThread {
   bool takeBuilt(const Wanted& now);
   void takeScene(const Built& built);
   void install(int k, std::unique_ptr<Integrator> integrator, const Target& target);
+  void begin(int k, const Wanted& now, double clock);
+  void keepSettings(int k, const Wanted& now);
   void refuse(int k, const Target& target, const std::string& problem);
 
   void apply(int k, const Wanted& now);
@@ -91,6 +96,8 @@ class RenderThread {
   double leastClock(const Wanted& now) const;
   void advance(int k, const Wanted& now);
   void afterAdvance(int k, const Wanted& now);
+  void measure(Estimate& e);
+  bool refresh(int k, const Wanted& now);
   void renewReference(Estimate& e);
   void publish();
   void serveFilm();

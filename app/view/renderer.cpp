@@ -34,7 +34,7 @@ void Renderer::setCamera(const CameraDesc& camera, std::uint64_t sceneVersion) {
     if (sceneVersion != thread_->version || camera == thread_->wanted.camera) return;
     thread_->wanted.camera = camera;
     thread_->wanted.changed = RenderThread::Clock::now();
-    thread_->nextReference = 1;
+    thread_->dropAccumulated();
     thread_->interruptAll();
   });
 }
@@ -54,6 +54,7 @@ void Renderer::setEnabled(int which, bool enabled) {
   thread_->change([&] {
     bool& wanted = thread_->wanted.enabled[std::size_t(which)];
     if (wanted && !enabled) thread_->interrupt(which);
+    if (!enabled) thread_->steps[std::size_t(which)] = 0;
     wanted = enabled;
     if (which != reference) return;
     ReferenceStatus& r = thread_->shownReference;
@@ -67,7 +68,11 @@ void Renderer::setEnabled(int which, bool enabled) {
 }
 
 void Renderer::setPaused(bool paused) {
-  thread_->change([&] { thread_->wanted.paused = paused; });
+  thread_->change([&] {
+    if (!paused && !thread_->inLockStep())
+      for (auto& steps : thread_->steps) steps = 0;
+    thread_->wanted.paused = paused;
+  });
 }
 void Renderer::setStageTimes(bool on) {
   thread_->change([&] { thread_->wanted.stageTimes = on; });

@@ -191,7 +191,10 @@ void Viewer::takeScene() {
   sceneVersion_ = renderer_.sceneVersion();
   CameraDesc const before = camera_.camera();
   camera_.setHome(scene_->camera, sceneBounds(*scene_));
-  if (sameView) camera_.setCamera(before);
+  if (sameView) {
+    camera_.setCamera(before);
+    renderer_.setCamera(before, sceneVersion_);
+  }
   toldCamera_ = camera_.camera();
   controls_.clearSelection();
   watch_.start(*scene_);
@@ -219,8 +222,13 @@ void Viewer::tellRenderer() {
   matchWindow();
   for (int k : {estimateA, estimateB}) renderer_.setSettings(k, state_.settings[std::size_t(k)]);
   Settings truth = state_.settings[estimateA];
-  truth.mode = "path";
-  truth.seed += 7919;
+  truth = Settings{.mode = "path",
+                   .aov = truth.aov == "photon-count" || truth.aov == "gather-radius" ? "radiance" : truth.aov,
+                   .width = truth.width,
+                   .height = truth.height,
+                   .maxDepth = truth.maxDepth,
+                   .seed = truth.seed + 7919,
+                   .indirectOnly = truth.indirectOnly};
   renderer_.setSettings(reference, truth);
   renderer_.setEnabled(estimateB, state_.compare.enabled);
   ReferenceStatus const status = renderer_.referenceStatus();
@@ -354,7 +362,8 @@ void Viewer::readMagnifier(PanelContext& c) {
 
 ViewScale Viewer::viewScale() const {
   const CameraDesc& c = camera_.camera();
-  return {glm::length(c.target - c.position), estimates_[estimateA].stats.firstRadius};
+  const EstimateStatus& a = estimates_[estimateA];
+  return {glm::length(c.target - c.position), a.draft ? 0 : a.stats.firstRadius};
 }
 
 void Viewer::screenshot(const std::string& file) {

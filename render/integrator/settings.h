@@ -11,6 +11,7 @@ namespace ropelight {
 
 struct Settings {
   std::string mode = "sppm";       ///< one of modeNames()
+  std::string aov = "radiance";    ///< what the film holds; see the list below
   std::string direct = "shadow";   ///< shadow: shadow rays; photons: the photons carry direct light too
   std::string gather = "radius";   ///< radius or nearest
   std::string accel = "auto";      ///< auto, tree or brute
@@ -30,8 +31,6 @@ struct Settings {
   int treeDepth = 0;               ///< 0: 8 + 1.3 log2(primitives)
   std::uint64_t photonMemory = 0;  ///< MiB for photons; 0: a quarter of the device's memory
   bool indirectOnly = false;       ///< leave out emission and direct light (paper, Figure 2's indirect part)
-
-  std::string aov = "radiance";  ///< what the film holds; see the list below
 
   bool operator==(const Settings&) const = default;
 

@@ -48,9 +48,6 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     points_.allocate(this->backend_, "gather points", hasPhotons() ? this->frame_.slots() : 0);
     if (!hasPhotons()) return map_.release();
     if (s.photons == plannedPhotons_ && s.photonMemory == plannedMemory_ && s.gather == plannedGather_) return;
-    plannedPhotons_ = s.photons;
-    plannedMemory_ = s.photonMemory;
-    plannedGather_ = s.gather;
     budget_ = s.photonMemory > 0 ? s.photonMemory << 20 : this->backend_.device().memory / 4;
     makeRoom(perPath_ > 0 ? perPath_ : 2.5, perPath_ > 0 ? tailPerPath_ : 0.1);
   }
@@ -80,22 +77,28 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
 
   /// Room for what was seen, in more and smaller chunks as long as memory does not suffice.
   void makeRoom(double perPath, double tailPerPath) {
+    const Settings& s = this->prepared_.settings;
     perPath_ = perPath;
     tailPerPath_ = tailPerPath;
+    plannedPhotons_ = 0;  // until it stands
     map_.release();
     for (;; budget_ /= 2) {
-      PhotonPlan const plan = planPhotons(this->prepared_.settings.photons, budget_, perPath, tailPerPath);
+      PhotonPlan const plan = planPhotons(s.photons, budget_, perPath, tailPerPath);
       if (plan.chunks > 1 && (this->prepared_.features & feature::nearest))
         throw Error("k-nearest gathering needs all photons of an iteration at once, and they do not fit into " +
                         std::to_string(budget_ >> 20) + " MiB; use fewer --photons or -D gather=radius",
                     ExitCode::outOfMemory);
       try {
-        return map_.allocate(this->backend_, plan);
+        map_.allocate(this->backend_, plan);
+        break;
       } catch (const std::bad_alloc&) {
         map_.release();
         if (plan.paths <= 1024) throw;
       }
     }
+    plannedPhotons_ = s.photons;
+    plannedMemory_ = s.photonMemory;
+    plannedGather_ = s.gather;
   }
 
   void gatherPhotons(std::uint64_t i) {

@@ -221,6 +221,82 @@ TEST_CASE("dragging for long never stops the pictures, and ends at full size") {
   CHECK(renderer.status(estimateA).width == 400);
 }
 
+TEST_CASE("settings that do not fit leave an estimate that says so, and another change brings it back") {
+  auto const scene = asset("cornell");
+  Renderer renderer(onCpu);
+  Settings tight = settingsOf("sppm");
+  tight.photons = 200000;
+  renderer.setSettings(estimateA, tight);
+  renderer.setScene(scene, scene->camera);
+  REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
+  tight.gather = "nearest";
+  tight.photonMemory = 1;  // all photons at once need more
+  renderer.setSettings(estimateA, tight);
+  REQUIRE(waitFor([&] { return !renderer.status(estimateA).problem.empty(); }));
+  CHECK(renderer.status(estimateA).problem.find("MiB") != std::string::npos);
+  CameraDesc moved = scene->camera;
+  moved.position.x += 0.1;
+  renderer.setCamera(moved, renderer.sceneVersion());
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  tight.photonMemory = 0;
+  renderer.setSettings(estimateA, tight);
+  CHECK(waitFor([&] {
+    EstimateStatus const s = renderer.status(estimateA);
+    return s.problem.empty() && s.stats.settings.gather == "nearest" && iterated(renderer, estimateA, 1);
+  }));
+}
+
+TEST_CASE("refused settings leave the old ones, which follow the camera and can be reset") {
+  auto const scene = asset("cornell");
+  Renderer renderer(onCpu);
+  renderer.setSettings(estimateA, settingsOf("sppm"));
+  renderer.setScene(scene, scene->camera);
+  REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
+  Settings wrong = settingsOf("sppm");
+  wrong.gather = "everything";
+  renderer.setSettings(estimateA, wrong);
+  REQUIRE(waitFor([&] { return !renderer.status(estimateA).problem.empty(); }));
+  CameraDesc moved = scene->camera;
+  moved.position.x += 0.1;
+  renderer.setCamera(moved, renderer.sceneVersion());
+  REQUIRE(waitFor([&] { return renderer.status(estimateA).camera == moved && iterated(renderer, estimateA, 3); }));
+  renderer.reset();
+  CHECK(waitFor([&] { return iterated(renderer, estimateA, 5); }));
+  CHECK_FALSE(renderer.film(estimateA).first.pixels.empty());
+}
+
+TEST_CASE("while paused, a new mode, photons and a reference show without a step") {
+  auto const scene = asset("cornell-caustics");
+  Renderer renderer(onCpu);
+  renderer.setSettings(estimateA, settingsOf("path"));
+  renderer.setScene(scene, scene->camera);
+  REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
+  renderer.setPaused(true);
+  renderer.setSettings(estimateA, settingsOf("sppm"));
+  REQUIRE(waitFor(
+      [&] { return renderer.status(estimateA).stats.settings.mode == "sppm" && iterated(renderer, estimateA, 1); }));
+  renderer.wantPhotons(100);
+  CHECK(waitFor([&] { return renderer.status(estimateA).photonCount == 100; }));
+  renderer.setReference(std::make_shared<const Image>(testing::renderImage(*scene, settingsOf("path"), 20)), "truth");
+  CHECK(waitFor([&] { return renderer.status(estimateA).errors.size() == 1; }));
+  renderer.clearReference();
+  CHECK(waitFor([&] { return renderer.status(estimateA).errors.empty(); }));
+}
+
+TEST_CASE("an estimate that cannot be had does not keep a scene from opening") {
+  auto const scene = asset("cornell");
+  Renderer renderer(onCpu);
+  renderer.setSettings(estimateA, settingsOf("path"));
+  Settings wrong = settingsOf("path");
+  wrong.aov = "photon-count";
+  renderer.setSettings(estimateB, wrong);
+  renderer.setEnabled(estimateB, true);
+  renderer.setScene(scene, scene->camera);
+  CHECK(waitFor([&] { return iterated(renderer, estimateA, 1); }));
+  CHECK(renderer.problem().empty());
+  CHECK(waitFor([&] { return !renderer.status(estimateB).problem.empty(); }));
+}
+
 TEST_CASE("a draft costs less by the square of its scale, and keeps what it can of a small film") {
   Settings s = testing::settingsFor("sppm", 640, 480);
   s.photons = 1 << 18;
