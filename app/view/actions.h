@@ -8,13 +8,13 @@
 namespace ropelight::view {
 
 struct Actions {
-  std::vector<std::string> open;      ///< scene or image files, by what their names end in
-  std::string savePng, saveExr;       ///< picture of the film
+  std::vector<std::string> open;         ///< scene or image files, by what their names end in
+  std::string savePng, saveExr;          ///< picture of the film
   std::string saveCamera, saveSettings;  ///< JSON
-  std::string screenshot;             ///< PNG of the whole window
-  bool copyCamera = false;            ///< as scene JSON to the clipboard
-  bool reset = false;                 ///< accumulation starts again
-  int steps = 0;                      ///< iterations although paused
+  std::string screenshot;                ///< PNG of the whole window
+  bool copyCamera = false;               ///< as scene JSON to the clipboard
+  bool reset = false;                    ///< accumulation starts again
+  int steps = 0;                         ///< iterations although paused
   bool resetCamera = false;
   bool frameAll = false;
   bool frameSelection = false;

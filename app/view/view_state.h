@@ -30,9 +30,9 @@ struct ToneSettings {
 struct CompareSettings {
   bool enabled = false;  ///< estimate B exists
   Layout layout = Layout::single;
-  float split = 0.5f;       ///< share of the picture that A has
-  float gain = 1;           ///< of the difference
-  float flickerHz = 2;      ///< swaps a second
+  float split = 0.5f;          ///< share of the picture that A has
+  float gain = 1;              ///< of the difference
+  float flickerHz = 2;         ///< swaps a second
   bool withReference = false;  ///< the right side is the reference, not B
   bool accumulateReference = false;
 };

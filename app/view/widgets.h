@@ -9,7 +9,7 @@ namespace ropelight::view {
 /// In window coordinates (those of the mouse), from the top left corner.
 struct WidgetPlace {
   float left = 0, top = 0, right = 0, bottom = 0;
-  int frame = 0;  ///< of ImGui, in which it was drawn last
+  int frame = 0;         ///< of ImGui, in which it was drawn last
   bool visible = false;  ///< not clipped away by its scrolled panel
 };
 
