@@ -15,6 +15,12 @@ class ViewerRun {
  public:
   TemporaryFolder const folder;
 
+  /// The CPU, unless ROPELIGHT_TEST_BACKEND says otherwise.
+  static std::string backend() {
+    const char* const name = std::getenv("ROPELIGHT_TEST_BACKEND");
+    return name ? name : "cpu";
+  }
+
   /// False, with a message, where no window can be opened here.
   static bool possible() {
     if (!VirtualDisplay::name().empty()) return true;
@@ -26,14 +32,14 @@ class ViewerRun {
   std::vector<std::string> arguments(const std::string& scene, const std::string& script,
                                      std::vector<std::string> more = {}) {
     std::vector<std::string> all{"DISPLAY=" + VirtualDisplay::name(),
-                                 "LIBGL_ALWAYS_SOFTWARE=1",
+                                 VirtualDisplay::givenName().empty() ? "LIBGL_ALWAYS_SOFTWARE=1" : "GL=given",
                                  "ASAN_OPTIONS=detect_leaks=0",  // GL drivers leave some, in modules long unloaded
                                  "XDG_CONFIG_HOME=" + (folder / "config").string(),
                                  ROPELIGHT_PROGRAM,
                                  "view",
                                  scene,
                                  "--backend",
-                                 "cpu",
+                                 backend(),
                                  "--width",
                                  "64",
                                  "--height",

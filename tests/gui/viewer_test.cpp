@@ -62,10 +62,11 @@ TEST_CASE("window: the pixel buffer holds the bits that a render without a windo
   run.run("cornell-caustics", "", {"--frames", "5", "--state", "s.json", "--screenshot", "w.png"});
   json const s = run.state("s.json");
   CHECK(s["A"]["shownIterations"] == 5);
-  CHECK(s["display"].get<std::string>().starts_with("copy: "));
+  bool const shares = ViewerRun::backend() == "cuda" && std::getenv("ROPELIGHT_TEST_DISPLAY");
+  CHECK(s["display"].get<std::string>().starts_with(shares ? "interop: " : "copy: "));
   Program render(ROPELIGHT_PROGRAM,
-                 {"render", "cornell-caustics", "--backend", "cpu", "--width", "64", "--height", "48", "--photons",
-                  "2000", "--iterations", "5", "-o", "r.exr"},
+                 {"render", "cornell-caustics", "--backend", ViewerRun::backend(), "--width", "64", "--height", "48",
+                  "--photons", "2000", "--iterations", "5", "-o", "r.exr"},
                  run.folder.path());
   REQUIRE(render.exitCode() == 0);
   CHECK(s["A"]["pixelHash"] == hashOf(readExr(run.folder / "r.exr")));
@@ -212,8 +213,8 @@ TEST_CASE("window: errors against a reference fall for both estimates, which sha
   if (!ViewerRun::possible()) return;
   ViewerRun run;
   Program render(ROPELIGHT_PROGRAM,
-                 {"render", "cornell", "--backend", "cpu", "--mode", "path", "--width", "64", "--height", "48",
-                  "--iterations", "400", "-o", "truth.exr"},
+                 {"render", "cornell", "--backend", ViewerRun::backend(), "--mode", "path", "--width", "64", "--height",
+                  "48", "--iterations", "400", "-o", "truth.exr"},
                  run.folder.path());
   REQUIRE(render.exitCode() == 0);
   run.run("cornell",
@@ -226,7 +227,7 @@ TEST_CASE("window: errors against a reference fall for both estimates, which sha
   CHECK(s["A"]["errors"] >= 4);
   CHECK(s["B"]["errors"] >= 4);
   CHECK(s["B"]["latestError"] < 0.5);
-  CHECK(s["B"]["slope"] < -0.3);
+  if (ViewerRun::backend() == "cpu") CHECK(s["B"]["slope"] < -0.3);  // a GPU comes to the reference's own noise
 }
 
 TEST_CASE("window: preferences last from one run to the next") {
@@ -280,7 +281,7 @@ TEST_CASE("window: without a display the program says what to do instead, and ex
 }
 
 TEST_CASE("window: an old GL is refused with what was found and what is needed") {
-  if (!ViewerRun::possible()) return;
+  if (!ViewerRun::possible() || !VirtualDisplay::givenName().empty()) return;  // Mesa alone can be told to be old
   ViewerRun run;
   std::vector<std::string> arguments = run.arguments("cornell", "", {"--frames", "1"});
   arguments.insert(arguments.begin(), {"MESA_GL_VERSION_OVERRIDE=2.1"});

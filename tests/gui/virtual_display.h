@@ -7,16 +7,24 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <string>
 
 namespace ropelight {
 
 class VirtualDisplay {
  public:
-  /// Empty where there is no Xvfb, or it does not start.
+  /// Empty where there is no Xvfb, or it does not start. ROPELIGHT_TEST_DISPLAY names another one, such as a GPU's.
   static const std::string& name() {
+    static std::string const given = givenName();
+    if (!given.empty()) return given;
     static VirtualDisplay const display;
     return display.name_;
+  }
+
+  static std::string givenName() {
+    const char* const name = std::getenv("ROPELIGHT_TEST_DISPLAY");
+    return name ? name : "";
   }
 
  private:
