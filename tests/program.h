@@ -41,7 +41,6 @@ class Program {
   ~Program() { finish(0); }
 
   void send(int signal) const { kill(process_, signal); }
-  pid_t process() const { return process_; }
 
   /// Its exit code; minus the signal that ended it. A program that hangs is killed, and shows as -9.
   int exitCode() {
