@@ -42,9 +42,9 @@ class Program {
 
   void send(int signal) const { kill(process_, signal); }
 
-  /// Its exit code; minus the signal that ended it. A program that hangs is killed, and shows as -9.
-  int exitCode() {
-    finish(120);
+  /// Its exit code; minus the signal that ended it. One that hangs for so many seconds is killed, and shows as -9.
+  int exitCode(int patience = 120) {
+    finish(patience);
     return WIFEXITED(status_) ? WEXITSTATUS(status_) : -WTERMSIG(status_);
   }
 

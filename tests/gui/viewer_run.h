@@ -59,7 +59,7 @@ class ViewerRun {
   /// Runs to the end; the exit code is 0, or the test fails with what the program said.
   void run(const std::string& scene, const std::string& script, const std::vector<std::string>& more = {}) {
     Program program("/usr/bin/env", arguments(scene, script, more), folder.path());
-    int const code = program.exitCode();
+    int const code = program.exitCode(400);
     INFO(program.err());
     REQUIRE(code == 0);
   }

@@ -216,7 +216,7 @@ TEST_CASE("dragging for long never stops the pictures, and ends at full size") {
     renderer.setCamera(camera, renderer.sceneVersion());
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
-  CHECK(renderer.status(estimateA).pixelVersion >= first + 5);
+  CHECK(renderer.status(estimateA).pixelVersion >= first + 2);
   REQUIRE(waitFor([&] { return renderer.status(estimateA).camera == camera && iterated(renderer, estimateA, 1); }));
   CHECK(renderer.status(estimateA).width == 400);
 }
