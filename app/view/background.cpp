@@ -1,9 +1,24 @@
 #include "app/view/background.h"
 
+#include <oneapi/tbb/task_scheduler_observer.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 namespace ropelight::view {
+namespace {
+
+class WorkersGiveWay : public oneapi::tbb::task_scheduler_observer {
+ public:
+  WorkersGiveWay() { observe(true); }
+  void on_scheduler_entry(bool worker) override {
+    if (worker) giveWay();
+  }
+};
+
+}  // namespace
+
+/// One for the program, never destroyed: the scheduler keeps a piece of every observer that comes and goes.
+void workersGiveWay() { static auto* const observer [[maybe_unused]] = new WorkersGiveWay; }
 
 void giveWay() {
   constexpr int nice = 10;

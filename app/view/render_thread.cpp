@@ -55,6 +55,7 @@ std::pair<Image, Stats> RenderThread::film(int which) {
 
 void RenderThread::run() {
   giveWay();
+  workersGiveWay();
   std::unique_lock lock(mutex);
   while (!quit_) {
     std::uint64_t const seen = asked;
@@ -63,7 +64,8 @@ void RenderThread::run() {
     lock.unlock();
     bool const worked = guardedTurn(now);
     lock.lock();
-    publish();
+    publish(now);
+    published = seen;
     serveFilm();
     if (worked || quit_ || asked != seen) continue;
     bool const done = !builder_.busy() && settled(now);
@@ -77,6 +79,14 @@ bool RenderThread::settled(const Wanted& now) const {
   for (int k = 0; k < count; ++k)
     if (now.enabled[std::size_t(k)] && estimates[k].integrator && !estimates[k].settled) return false;
   return true;
+}
+
+/// Whether an estimate is still to become what is wanted.
+bool RenderThread::pending(int k, const Wanted& now) const {
+  const Estimate& e = estimates[k];
+  if (!now.enabled[std::size_t(k)] || !scene || e.failed) return false;
+  Target const target = targetOf(k, now);
+  return refused_[std::size_t(k)] != target && (!e.integrator || !e.settled || e.applied != target);
 }
 
 /// What nobody expected ends the estimates, not the program.
@@ -366,7 +376,7 @@ void RenderThread::renewReference(Estimate& e) {
 }
 
 /// Under the mutex.
-void RenderThread::publish() {
+void RenderThread::publish(const Wanted& now) {
   for (int k = 0; k < count; ++k) {
     EstimateStatus& s = shown[std::size_t(k)];
     estimates[k].fill(s);
@@ -375,6 +385,7 @@ void RenderThread::publish() {
   }
   if (estimates[0].integrator) gpuShown = estimates[0].integrator->gpu();
   busyShown = builder_.busy();
+  for (int k = 0; k < count; ++k) busyShown = busyShown || pending(k, now);
 }
 
 /// Under the mutex.

@@ -35,16 +35,19 @@ class RenderThread {
   RenderThread(const RenderThread&) = delete;
   RenderThread& operator=(const RenderThread&) = delete;
 
-  /// Changes what is wanted, under the mutex, and wakes the thread.
+  /// Changes what is wanted, under the mutex, and wakes the thread where apply() returns that something changed.
   template <class Change>
   void change(Change&& apply) {
     {
       std::lock_guard const lock(mutex);
-      apply();
+      if (!apply()) return;
       ++asked;
     }
     wake.notify_all();
   }
+
+  /// Under the mutex: whether anything asked for is still to come.
+  bool busy() const { return busyShown || published != asked || wanted.scene; }
 
   /// Under the mutex: a running iteration that nobody wants any more is given up. Drafts are left to end, so that
   /// something is shown.
@@ -78,6 +81,7 @@ class RenderThread {
   bool guardedTurn(const Wanted& now);
   bool turn(const Wanted& now);
   bool settled(const Wanted& now) const;
+  bool pending(int k, const Wanted& now) const;
   bool draftWanted(int k) const;
   Target targetOf(int k, const Wanted& now) const;
 
@@ -99,13 +103,14 @@ class RenderThread {
   void measure(Estimate& e);
   bool refresh(int k, const Wanted& now);
   void renewReference(Estimate& e);
-  void publish();
+  void publish(const Wanted& now);
   void serveFilm();
 
   BackendChoice const backend_;
   bool const lockStep_;
   std::condition_variable wake, idle;
   std::uint64_t asked = 0, answered = 0;
+  std::uint64_t published = 0;  ///< that the statuses shown know of
   std::array<Integrator*, count> interruptible_{};
   int filmAsked_ = -1;
   std::pair<Image, Stats> filmAnswer_;
@@ -116,7 +121,6 @@ class RenderThread {
   std::array<bool, count> broken_{};     ///< interrupted: only a restart helps
   std::array<Target, count> refused_{};  ///< not to be tried again
   Builder builder_;
-  WorkersGiveWay workers_;
   std::thread thread_;
 };
 

@@ -1,6 +1,7 @@
 #include "app/view/renderer.h"
 
 #include <tuple>
+#include <utility>
 
 #include "app/view/render_thread.h"
 
@@ -26,64 +27,69 @@ void Renderer::setScene(std::shared_ptr<const Scene> scene, const CameraDesc& ca
     thread_->wanted.scene = std::move(scene);
     thread_->wanted.sceneCamera = camera;
     thread_->sceneProblem.clear();
+    return true;
   });
 }
 
 void Renderer::setCamera(const CameraDesc& camera, std::uint64_t sceneVersion) {
   thread_->change([&] {
-    if (sceneVersion != thread_->version || camera == thread_->wanted.camera) return;
+    if (sceneVersion != thread_->version || camera == thread_->wanted.camera) return false;
     thread_->wanted.camera = camera;
     thread_->wanted.changed = RenderThread::Clock::now();
     thread_->dropAccumulated();
     thread_->interruptAll();
+    return true;
   });
 }
 
 void Renderer::setSettings(int which, const Settings& settings) {
   thread_->change([&] {
     Settings& wanted = thread_->wanted.settings[std::size_t(which)];
-    if (wanted == settings) return;
+    if (wanted == settings) return false;
     bool const otherIntegrator = needsAnother(wanted, settings);
     wanted = settings;
     thread_->wanted.changed = RenderThread::Clock::now();
     if (!otherIntegrator) thread_->interrupt(which);  // else the present one goes on until the other stands
+    return true;
   });
 }
 
 void Renderer::setEnabled(int which, bool enabled) {
   thread_->change([&] {
     bool& wanted = thread_->wanted.enabled[std::size_t(which)];
-    if (wanted && !enabled) thread_->interrupt(which);
+    if (wanted == enabled) return false;
+    if (!enabled) thread_->interrupt(which);
     if (!enabled) thread_->steps[std::size_t(which)] = 0;
     wanted = enabled;
-    if (which != reference) return;
+    if (which != reference) return true;
     ReferenceStatus& r = thread_->shownReference;
-    if (enabled && !r.accumulating) {
-      r = {true, true, "", "", 0, nullptr, r.version + 1};
-      r.name = "accumulating";
-      thread_->nextReference = 1;
-    }
+    if (enabled) r = {true, true, "accumulating", "", 0, nullptr, r.version + 1};
+    if (enabled) thread_->nextReference = 1;
     r.accumulating = enabled;
+    return true;
   });
 }
 
 void Renderer::setPaused(bool paused) {
   thread_->change([&] {
+    if (thread_->wanted.paused == paused) return false;
     if (!paused && !thread_->inLockStep())
       for (auto& steps : thread_->steps) steps = 0;
     thread_->wanted.paused = paused;
+    return true;
   });
 }
 void Renderer::setStageTimes(bool on) {
-  thread_->change([&] { thread_->wanted.stageTimes = on; });
+  thread_->change([&] { return std::exchange(thread_->wanted.stageTimes, on) != on; });
 }
 void Renderer::wantPhotons(std::uint32_t most) {
-  thread_->change([&] { thread_->wanted.photons = most; });
+  thread_->change([&] { return std::exchange(thread_->wanted.photons, most) != most; });
 }
 void Renderer::reset() {
   thread_->change([&] {
     thread_->wanted.reset = true;
     thread_->interruptAll();
+    return true;
   });
 }
 
@@ -91,6 +97,7 @@ void Renderer::step(int n) {
   thread_->change([&] {
     for (int k = 0; k < RenderThread::count; ++k)
       thread_->steps[std::size_t(k)] += thread_->wanted.enabled[std::size_t(k)] ? n : 0;
+    return true;
   });
 }
 
@@ -100,6 +107,7 @@ void Renderer::setReference(std::shared_ptr<const Image> image, const std::strin
   thread_->change([&] {
     thread_->wanted.enabled[reference] = false;
     thread_->shownReference = {true, false, name, "", 0, std::move(image), thread_->shownReference.version + 1};
+    return true;
   });
 }
 
@@ -109,6 +117,7 @@ void Renderer::clearReference() {
     ReferenceStatus none;
     none.version = thread_->shownReference.version + 1;
     thread_->shownReference = none;
+    return true;
   });
 }
 
@@ -142,7 +151,7 @@ std::string Renderer::problem() const {
 }
 bool Renderer::busy() const {
   std::lock_guard const lock(thread_->mutex);
-  return thread_->busyShown || thread_->wanted.scene != nullptr;
+  return thread_->busy();
 }
 std::string Renderer::backendText() const {
   std::lock_guard const lock(thread_->mutex);

@@ -98,7 +98,7 @@ class Renderer final : public PixelSource {
   std::uint64_t sceneVersion() const;
   /// Why the latest scene could not be taken; empty: it was, or is on its way.
   std::string problem() const;
-  /// Whether a scene or an integrator is on its way.
+  /// Whether anything that was asked for is still to come: a scene, an integrator, a restart, the full size.
   bool busy() const;
   /// Which backend was taken and why.
   std::string backendText() const;
