@@ -18,7 +18,10 @@ class WorkersGiveWay : public oneapi::tbb::task_scheduler_observer {
 }  // namespace
 
 /// One for the program, never destroyed: the scheduler keeps a piece of every observer that comes and goes.
-void workersGiveWay() { static auto* const observer [[maybe_unused]] = new WorkersGiveWay; }
+void workersGiveWay() {
+  static WorkersGiveWay* volatile const observer = new WorkersGiveWay;  // volatile: kept, so that it is no leak
+  (void)observer;
+}
 
 void giveWay() {
   constexpr int nice = 10;
