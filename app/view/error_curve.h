@@ -12,7 +12,7 @@ class ErrorCurve {
   void clear();
   /// Whether a picture is due after so many seconds of the estimate's own time.
   bool due(double seconds) const { return seconds >= next_; }
-  /// Pictures beyond 256 MiB are thinned out, the oldest first.
+  /// Pictures beyond 256 MiB, and beyond eight, are thinned out, the oldest first.
   void add(double seconds, double iterations, Image picture);
   /// Measures what was not yet measured against this version of the reference. Pictures of another size are left out.
   void measure(const Image& truth, std::uint64_t version);

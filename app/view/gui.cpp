@@ -110,6 +110,4 @@ void Gui::end() {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-void Gui::discard() { ImGui::EndFrame(); }
-
 }  // namespace ropelight::view

@@ -22,8 +22,6 @@ class Gui {
   void begin();
   /// Draws it over what the window's framebuffer holds.
   void end();
-  /// Instead of end() where the frame is not to be drawn.
-  void discard();
 
  private:
   float scale_ = 0;

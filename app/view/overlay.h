@@ -36,9 +36,6 @@ class Overlay {
   void draw(const Picture& picture, const CameraDesc& camera, const ViewState& state, int framebufferHeight,
             float scale);
 
-  std::uint32_t pointCount() const { return pointCount_; }  ///< photons in the vertex buffer, filtered or not
-  std::size_t cellCount() const { return cellCount_; }      ///< boxes drawn
-
  private:
   void updatePoints(PixelSource& source, Picture& picture, const EstimateStatus& status, std::uint32_t most);
   void updateCells(const EstimateStatus& status, const TreeOverlay& tree);

@@ -39,8 +39,6 @@ class Picture {
   Rect pictureRect(int side) const { return sides_[std::size_t(side)].picture; }
   /// The part of it that is not covered by the other side.
   Rect visibleRect(int side) const { return sides_[std::size_t(side)].visible; }
-  /// The image (estimateA, estimateB or reference) that a framebuffer place shows; in a difference A's.
-  int shownAt(double x, double y) const;
   /// The pixel of A's film under a place in the framebuffer, on whichever side; false off the pictures.
   bool pixelAt(double x, double y, int& pixelX, int& pixelY) const;
   /// The same as a place in the picture, (0,0) its top left and (1,1) its bottom right corner.

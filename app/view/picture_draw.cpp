@@ -154,10 +154,6 @@ void Picture::setTone(const ViewState& state) {
   program_.set("ramp", std::span<const std::array<float, 3>>(falseColourPoints));
 }
 
-int Picture::shownAt(double x, double y) const {
-  return sides_[1].visible.contains(x, y) ? sides_[1].image : sides_[0].image;
-}
-
 bool Picture::placeAt(double x, double y, double& pictureX, double& pictureY) const {
   for (const SideRects& side : sides_) {
     if (!side.visible.contains(x, y)) continue;

@@ -193,15 +193,12 @@ void Viewer::tellRenderer() {
 
 /// The film takes the size of its place in the window, once that has settled.
 void Viewer::matchWindow() {
-  static Rect last;
-  static Clock::time_point since;
   Rect const place = picturePlace();
-  bool const same = place.width == last.width && place.height == last.height;
-  if (!same) {
-    last = place;
-    since = Clock::now();
+  if (!(place == matchedPlace_)) {
+    matchedPlace_ = place;
+    matchedSince_ = Clock::now();
   }
-  bool const settled = Clock::now() - since > std::chrono::duration<double>(matchPatience);
+  bool const settled = Clock::now() - matchedSince_ > std::chrono::duration<double>(matchPatience);
   if (!state_.matchWindow || place.empty() || !settled) return;
   for (Settings& s : state_.settings) {
     s.width = place.width;

@@ -102,6 +102,8 @@ class Viewer {
   std::array<std::uint64_t, 6> shown_{};  ///< versions that the latest frame showed
   std::string shownProblem_;
   std::uint64_t framesBefore_ = 0;
+  Rect matchedPlace_;  ///< the picture's, and since when
+  Clock::time_point matchedSince_;
   bool drewBefore_ = false;
   std::vector<int> taps_;  ///< keys held down for this frame alone
   std::vector<std::string> screenshots_, stateFiles_;

@@ -134,10 +134,8 @@ float Window::contentScale() const {
   return std::clamp(std::max(x, y), 0.5f, 8.0f);
 }
 
-bool Window::focused() const { return glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE; }
 bool Window::minimised() const { return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE; }
 bool Window::shouldClose() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
-void Window::requestClose() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 
 void Window::setTitle(const std::string& title) {
   if (std::exchange(title_, title) != title) glfwSetWindowTitle(window_, title.c_str());  // a round trip each
@@ -153,7 +151,6 @@ void Window::poll(double timeoutSeconds) {
     glfwPollEvents();
 }
 
-void Window::wake() { glfwPostEmptyEvent(); }
 void Window::swap() { glfwSwapBuffers(window_); }
 bool Window::takeActivity() { return std::exchange(active_, false); }
 std::vector<Window::KeyTap> Window::takeKeyTaps() { return std::exchange(taps_, {}); }

@@ -26,11 +26,9 @@ class Window {
   Size framebufferSize() const;  ///< pixels; 0 × 0 while minimised
   Size windowSize() const;       ///< screen coordinates, those of the mouse
   float contentScale() const;    ///< of its monitor: 1, 2 on HiDPI, or between
-  bool focused() const;
   bool minimised() const;
 
   bool shouldClose() const;
-  void requestClose();
   void setTitle(const std::string& title);
   /// Asks the window manager; what comes of it shows in windowSize() after later polls.
   void resize(int width, int height);
@@ -38,8 +36,6 @@ class Window {
 
   /// Handles what is there to handle; waits at most that long for the first of it.
   void poll(double timeoutSeconds = 0);
-  /// Ends a waiting poll(); from any thread.
-  static void wake();
   void swap();
   /// Files dropped on the window since the last call.
   std::vector<std::string> takeDroppedFiles();
