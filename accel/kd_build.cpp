@@ -1,165 +1,234 @@
 #include "accel/kd_build.h"
 
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
+#include <optional>
+
+#include "accel/kd_subtree.h"
+#include "accel/kd_sweep.h"
 
 namespace ropelight {
 namespace {
 
-struct Split {
-  int axis = -1;
-  float position = 0;
-  double cost = 0;
+constexpr std::size_t serialSize = 4096;  ///< primitives below which one thread makes the subtree
+
+struct Work {
+  KdBox cell;
+  std::vector<KdItem> items;
+  KdEvents events;  ///< of sweep, and not of few items
+  std::uint64_t budget = 0;
+  int depth = 0;
+  int badSplits = 0;  ///< in a row, above this node
+};
+
+struct Children {
+  KdPlane plane;
+  Work low, high;
 };
 
 class Builder {
  public:
-  Builder(const FlatScene& scene, const KdConfig& config) : scene_(scene), config_(config) {
-    std::uint32_t const n = scene.primitiveCount();
-    // Plane parameters are rounded three times and coordinates once: primitives reach this far into their neighbours.
-    pad_ = std::ldexp(scene.reach, -20);
-    bounds_.resize(n);
-    for (std::uint32_t i = 0; i < n; ++i) {
-      bounds_[i] = scene.primitiveBounds(i);
-      bounds_[i].min -= pad_;
-      bounds_[i].max += pad_;
-    }
-    maxDepth_ = config.maxDepth > 0 ? config.maxDepth : automaticTreeDepth(n);
-    maxReferences_ = 64 + 16 * std::size_t(n);
-  }
+  Builder(const FlatScene& scene, const KdConfig& config)
+      : config_(config),
+        clipper_(scene, config.clip),
+        primitives_(scene.primitiveCount()),
+        maxDepth_(config.maxDepth > 0 ? config.maxDepth : automaticTreeDepth(primitives_)) {}
 
-  KdTree run() {
-    Bounds root;
-    for (const Bounds& b : bounds_) root.grow(b);
-    if (root.empty()) root = Bounds{Vec3d(0.0), Vec3d(0.0)};
-    for (int a = 0; a < 3; ++a) {
-      tree_.bounds[a] = std::nextafter(float(root.min[a]), -INFINITY);
-      tree_.bounds[a + 3] = std::nextafter(float(root.max[a]), INFINITY);
-      root.min[a] = double(tree_.bounds[a]);
-      root.max[a] = double(tree_.bounds[a + 3]);
-    }
-    rootArea_ = std::max(root.area(), 1e-300);
-    std::vector<std::uint32_t> all(scene_.primitiveCount());
-    std::iota(all.begin(), all.end(), 0u);
-    pending_ = all.size();
-    build(all, root, 0);
-    connectRopes(tree_);
-    return std::move(tree_);
+  KdTree run() const {
+    Work root = wholeScene();
+    KdTree tree;
+    std::copy_n(root.cell.min, 3, tree.bounds);
+    std::copy_n(root.cell.max, 3, tree.bounds + 3);
+    double const area = root.cell.area();
+    auto subtree = build(std::move(root));
+    tree.stats.sahCost = subtree->measure.cost / area;
+    tree.stats.depth = subtree->measure.height;
+    tree.stats.budgetHits = subtree->measure.budgetHits;
+    assemble(std::move(subtree), tree);
+    return tree;
   }
 
  private:
-  void build(std::vector<std::uint32_t>& primitives, const Bounds& box, int depth) {
-    tree_.stats.depth = std::max(tree_.stats.depth, depth);
-    Split const split = choose(primitives, box, depth);
-    std::size_t const node = tree_.nodes.size();
-    tree_.nodes.emplace_back();
-    if (split.axis < 0) return makeLeaf(node, primitives, box);
-
-    Bounds low = box, high = box;
-    low.max[split.axis] = high.min[split.axis] = double(split.position);
-    std::vector<std::uint32_t> left, right;
-    for (std::uint32_t p : primitives) {
-      if (bounds_[p].min[split.axis] <= low.max[split.axis] && meets(p, low)) left.push_back(p);
-      if (bounds_[p].max[split.axis] >= high.min[split.axis] && meets(p, high)) right.push_back(p);
+  Work wholeScene() const {
+    Work root;
+    root.budget = kdTreeBudget(primitives_);
+    root.items.resize(primitives_);
+    oneapi::tbb::parallel_for(0u, primitives_, [&](std::uint32_t i) { root.items[i] = clipper_.whole(i); });
+    for (int a = 0; a < 3; ++a) {
+      root.cell.min[a] = floatBelow(0);
+      root.cell.max[a] = floatAbove(0);
     }
-    pending_ += left.size() + right.size() - primitives.size();
-    std::vector<std::uint32_t>().swap(primitives);
-    tree_.stats.sahCost += config_.traversalCost * box.area() / rootArea_;
-    build(left, low, depth + 1);
-    tree_.nodes[node].split = split.position;
-    tree_.nodes[node].link = std::uint32_t(tree_.nodes.size()) << 2 | std::uint32_t(split.axis);
-    build(right, high, depth + 1);
+    if (!root.items.empty()) root.cell = root.items[0].bounds;
+    for (const KdItem& item : root.items) grow(root.cell, item.bounds);
+    if (config_.split == KdSplit::sweep && primitives_ > fewItems) root.events = KdEvents(root.items);
+    return root;
   }
 
-  bool meets(std::uint32_t p, Bounds box) const {
-    box.min -= pad_;
-    box.max += pad_;
-    return scene_.overlapsSurface(p, box);
-  }
-
-  void makeLeaf(std::size_t node, const std::vector<std::uint32_t>& primitives, const Bounds& box) {
-    tree_.nodes[node].link = std::uint32_t(tree_.leaves.size()) << 2 | 3u;
-    KdLeaf leaf;
-    leaf.first = std::uint32_t(tree_.references.size());
-    leaf.count = std::uint32_t(primitives.size());
-    tree_.leaves.push_back(leaf);
-    tree_.references.insert(tree_.references.end(), primitives.begin(), primitives.end());
-    tree_.stats.sahCost += double(primitives.size()) * box.area() / rootArea_;
-  }
-
-  Split choose(const std::vector<std::uint32_t>& primitives, const Bounds& box, int depth) const {
-    if (depth >= maxDepth_ || int(primitives.size()) <= config_.leafSize) return {};
-    if (pending_ > maxReferences_) return {};
-    return config_.midpoint ? chooseMidpoint(box) : chooseSah(primitives, box);
-  }
-
-  static bool inside(float position, const Bounds& box, int axis) {
-    return double(position) > box.min[axis] && double(position) < box.max[axis];
-  }
-
-  static Split chooseMidpoint(const Bounds& box) {
-    Vec3d const e = box.extent();
-    int const axis = e.x >= e.y ? (e.x >= e.z ? 0 : 2) : (e.y >= e.z ? 1 : 2);
-    float const position = float(0.5 * (box.min[axis] + box.max[axis]));
-    return inside(position, box, axis) ? Split{axis, position, 0} : Split{};
-  }
-
-  Split chooseSah(const std::vector<std::uint32_t>& primitives, const Bounds& box) const {
-    Split best;
-    best.cost = double(primitives.size());
-    for (int axis = 0; axis < 3; ++axis) trySahAxis(primitives, box, axis, best);
-    return best;
-  }
-
-  /// Counts how many primitives begin and end in each bin; the planes between bins are the candidates.
-  void trySahAxis(const std::vector<std::uint32_t>& primitives, const Bounds& box, int axis, Split& best) const {
-    double const lo = box.min[axis], width = box.max[axis] - lo;
-    int const bins = config_.bins;
-    if (!(width > 0)) return;
-    std::vector<std::uint32_t> begins(std::size_t(bins), 0), ends(std::size_t(bins), 0);
-    auto bin = [&](double x) { return std::size_t(std::clamp(int((x - lo) / width * bins), 0, bins - 1)); };
-    for (std::uint32_t p : primitives) {
-      ++begins[bin(std::max(bounds_[p].min[axis], lo))];
-      ++ends[bin(std::min(bounds_[p].max[axis], box.max[axis]))];
+  /// Above serialSize both halves at the same time.
+  std::unique_ptr<KdSubtree> build(Work work) const {
+    auto subtree = std::make_unique<KdSubtree>();
+    std::size_t const primitives = work.items.size();
+    if (primitives <= serialSize) {
+      subtree->measure = add(std::move(work), subtree->part);
+      subtree->size = subtree->part.end();
+      return subtree;
     }
-    std::size_t left = 0, right = primitives.size();
-    for (int k = 1; k < bins; ++k) {
-      left += begins[std::size_t(k - 1)];
-      right -= ends[std::size_t(k - 1)];
-      float const position = float(lo + width * k / bins);
-      if (inside(position, box, axis)) consider(box, axis, position, left, right, best);
+    double const area = work.cell.area();
+    std::optional<Children> children = split(work, subtree->measure.budgetHits);
+    if (!children) {
+      subtree->part.addLeaf(work.items);
+      subtree->measure.cost = area * double(primitives);
+      subtree->size = subtree->part.end();
+      return subtree;
     }
+    subtree->plane = children->plane;
+    oneapi::tbb::parallel_invoke([&] { subtree->half[0] = build(std::move(children->low)); },
+                                 [&] { subtree->half[1] = build(std::move(children->high)); });
+    subtree->measure = join(area, subtree->half[0]->measure, subtree->half[1]->measure);
+    subtree->size = KdPart::Mark{1, 0, 0} + subtree->half[0]->size + subtree->half[1]->size;
+    if (isWaste(subtree->measure, area, primitives))
+      subtree->measure = leaf(area, subtree->collapse(), subtree->measure);
+    return subtree;
   }
 
-  void consider(const Bounds& box, int axis, float position, std::size_t left, std::size_t right, Split& best) const {
-    Bounds low = box, high = box;
-    low.max[axis] = high.min[axis] = double(position);
-    double const area = box.area();
-    double cost = (low.area() * double(left) + high.area() * double(right)) / area;
-    if (left == 0 || right == 0) cost *= 1 - config_.emptyBonus;
-    cost += config_.traversalCost;
-    if (cost < best.cost) best = Split{axis, position, cost};
+  KdMeasure add(Work work, KdPart& part) const {
+    double const area = work.cell.area();
+    std::size_t const primitives = work.items.size();
+    KdMeasure none;
+    std::optional<Children> children = split(work, none.budgetHits);
+    if (!children) {
+      part.addLeaf(work.items);
+      return leaf(area, primitives, none);
+    }
+    KdPart::Mark const begin = part.end();
+    std::size_t const node = part.addInner(children->plane);
+    KdMeasure const low = add(std::move(children->low), part);
+    part.beginHigh(node);
+    KdMeasure const both = join(area, low, add(std::move(children->high), part));
+    return isWaste(both, area, primitives) ? leaf(area, part.collapse(begin), both) : both;
   }
 
-  const FlatScene& scene_;
+  static KdMeasure leaf(double area, std::size_t primitives, const KdMeasure& tried) {
+    return {area * double(primitives), 0, tried.budgetHits};
+  }
+
+  KdMeasure join(double area, const KdMeasure& low, const KdMeasure& high) const {
+    return {config_.traversalCost * area + low.cost + high.cost, 1 + std::max(low.height, high.height),
+            low.budgetHits + high.budgetHits};
+  }
+
+  bool isWaste(const KdMeasure& subtree, double area, std::size_t primitives) const {
+    return config_.split != KdSplit::midpoint && subtree.cost > area * double(primitives);
+  }
+
+  /// Takes the work's items where it splits; else leaves them.
+  std::optional<Children> split(Work& work, std::uint64_t& budgetHits) const {
+    if (work.depth >= maxDepth_ || work.items.size() <= std::size_t(std::max(config_.leafSize, 0))) return {};
+    KdPlane const plane = choose(work);
+    bool const hope = work.badSplits < config_.badSplits;
+    if (!plane.splits(work.cell) || (isDear(plane, work.items.size()) && !hope)) return {};
+    KdDivision division = divide(work.items, work.cell, plane, clipper_, !work.events.empty());
+    bool const bad = isDear(plane, work.items.size()) || partsNothing(division, work.items.size());
+    if (bad && !hope) return {};
+    std::uint64_t const low = weight(division.half[0]), high = weight(division.half[1]);
+    if (low + high > work.budget) {
+      ++budgetHits;
+      return {};
+    }
+    std::uint64_t const spare = work.budget - low - high, toLow = spare * low / (low + high);
+    int const badSplits = bad ? work.badSplits + 1 : 0;
+    Children children{plane, child(work, division, 0, low + toLow, badSplits),
+                      child(work, division, 1, high + spare - toLow, badSplits)};
+    work = Work{};
+    return children;
+  }
+
+  KdPlane choose(const Work& work) const {
+    if (config_.split == KdSplit::midpoint) return middlePlane(work.cell);
+    KdHeuristic heuristic(work.cell, config_.traversalCost, config_.emptyBonus);
+    bool const few = work.items.size() <= fewItems;
+    if (!work.events.empty())
+      work.events.considerAll(heuristic);
+    else if (few && (config_.split == KdSplit::sweep || 2 * work.items.size() <= std::size_t(config_.bins)))
+      considerAll(work.items, heuristic);
+    else
+      considerBins(work.items, config_.bins, heuristic);
+    return heuristic.best();
+  }
+
+  /// Whether the heuristic expects no less work than of a leaf.
+  bool isDear(const KdPlane& plane, std::size_t primitives) const {
+    return config_.split != KdSplit::midpoint && plane.cost >= double(primitives);
+  }
+
+  static bool partsNothing(const KdDivision& division, std::size_t primitives) {
+    return division.half[0].items.size() == primitives && division.half[1].items.size() == primitives;
+  }
+
+  static std::uint64_t weight(const KdHalf& half) { return std::max<std::uint64_t>(1, half.items.size()); }
+
+  static Work child(const Work& parent, KdDivision& division, int h, std::uint64_t budget, int badSplits) {
+    Work work;
+    KdHalf& half = division.half[h];
+    if (!parent.events.empty() && half.items.size() > fewItems) work.events = parent.events.ofHalf(division, h);
+    work.cell = half.cell;
+    work.items = std::move(half.items);
+    work.budget = budget;
+    work.depth = parent.depth + 1;
+    work.badSplits = badSplits;
+    return work;
+  }
+
   KdConfig config_;
-  KdTree tree_;
-  std::vector<Bounds> bounds_;
-  double pad_ = 0, rootArea_ = 1;
-  int maxDepth_ = 0;
-  std::size_t pending_ = 0, maxReferences_ = 0;
+  KdClipper clipper_;
+  std::uint32_t primitives_;
+  int maxDepth_;
 };
+
+double since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void measureSizes(std::uint32_t primitives, KdTree& tree) {
+  KdTreeStats& s = tree.stats;
+  s.nodes = tree.nodes.size();
+  s.leaves = tree.leaves.size();
+  s.references = tree.references.size();
+  s.duplicates = primitives > 0 ? double(s.references) / double(primitives) : 1;
+  s.bytes = tree.bytes();
+  for (const KdLeaf& leaf : tree.leaves) s.largestLeaf = std::max(s.largestLeaf, leaf.count);
+}
 
 }  // namespace
 
 int automaticTreeDepth(std::uint32_t primitives) { return int(8 + 1.3 * std::log2(std::max(1.0, double(primitives)))); }
 
+std::uint64_t kdTreeBudget(std::uint32_t primitives) {
+  return std::min<std::uint64_t>(64 + 16 * std::uint64_t(primitives), std::uint64_t(1) << 29);
+}
+
 KdTree buildKdTree(const FlatScene& scene, const KdConfig& config) {
+  namespace tbb = oneapi::tbb;
   auto const start = std::chrono::steady_clock::now();
-  KdTree tree = Builder(scene, config).run();
-  tree.stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  tbb::global_control const limit(tbb::global_control::max_allowed_parallelism,
+                                  std::size_t(std::max(config.threads, tbb::info::default_concurrency())));
+  tbb::task_arena arena(config.threads > 0 ? config.threads : tbb::task_arena::automatic);
+  KdTree tree;
+  arena.execute([&] {
+    tree = Builder(scene, config).run();
+    auto const built = std::chrono::steady_clock::now();
+    connectRopes(tree);
+    tree.stats.ropeSeconds = since(built);
+  });
+  measureSizes(scene.primitiveCount(), tree);
+  tree.stats.seconds = since(start);
   return tree;
 }
 

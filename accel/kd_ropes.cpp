@@ -1,3 +1,5 @@
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include "accel/kd_build.h"
 
 namespace ropelight {
@@ -13,34 +15,36 @@ class RopeConnector {
       root.bounds[f] = tree_.bounds[f];
       root.ropes[f] = noRope;
     }
-    std::vector<Cell> stack{root};
-    while (!stack.empty()) {
-      Cell cell = stack.back();
-      stack.pop_back();
-      KdNode const n = tree_.nodes[cell.node];
-      for (int f = 0; f < 6; ++f) cell.ropes[f] = tighten(cell, f);
-      if (n.isLeaf()) {
-        finish(cell, tree_.leaves[n.target()]);
-        continue;
-      }
-      std::uint32_t const axis = n.axis();
-      Cell low = cell, high = cell;
-      low.node = cell.node + 1;
-      high.node = n.target();
-      low.bounds[axis + 3] = high.bounds[axis] = n.split;
-      low.ropes[axis + 3] = high.node;
-      high.ropes[axis] = low.node;
-      stack.push_back(high);
-      stack.push_back(low);
-    }
+    connect(root, 0);
   }
 
  private:
+  static constexpr int sharedDepth = 9;  ///< cells above it have their children done by several threads
+
   struct Cell {
     std::uint32_t node;
     float bounds[6];
     std::uint32_t ropes[6];
   };
+
+  /// Reads nodes and writes leaves only, so that no order matters.
+  void connect(Cell cell, int depth) {
+    for (int f = 0; f < 6; ++f) cell.ropes[f] = tighten(cell, f);
+    KdNode const n = tree_.nodes[cell.node];
+    if (n.isLeaf()) return finish(cell, tree_.leaves[n.target()]);
+    std::uint32_t const axis = n.axis();
+    Cell low = cell, high = cell;
+    low.node = cell.node + 1;
+    high.node = n.target();
+    low.bounds[axis + 3] = high.bounds[axis] = n.split;
+    low.ropes[axis + 3] = high.node;
+    high.ropes[axis] = low.node;
+    auto const connectLow = [&] { connect(low, depth + 1); };
+    auto const connectHigh = [&] { connect(high, depth + 1); };
+    if (depth < sharedDepth) return oneapi::tbb::parallel_invoke(connectLow, connectHigh);
+    connectLow();
+    connectHigh();
+  }
 
   /// Descends from a rope as long as one child covers the whole face.
   std::uint32_t tighten(const Cell& cell, int face) const {

@@ -29,6 +29,9 @@ struct RayPlanes {
     return axis == 0 ? positive[0] : (axis == 1 ? positive[1] : positive[2]);
   }
 
+  /// Whether the ray is in the low child of an inner node at parameter t.
+  RL_HD bool below(KdNode n, Real t) const { return (t < at(n.axis(), n.split)) == forward(n.axis()); }
+
   /// The parameter where the ray leaves a box (min xyz, max xyz) and the face (0…5) through which it does.
   RL_HD Real exit(const float* bounds, std::uint32_t& face) const {
     Real t = infinity;
@@ -57,22 +60,21 @@ struct RayPlanes {
 RL_HD inline std::uint32_t findLeaf(const KdTreeView& tree, const RayPlanes& planes, std::uint32_t node, Real t) {
   KdNode n = tree.nodes[node];
   while (!n.isLeaf()) {
-    bool const before = t < planes.at(n.axis(), n.split);
-    node = before == planes.forward(n.axis()) ? node + 1 : n.target();
+    node = planes.below(n, t) ? node + 1 : n.target();
     n = tree.nodes[node];
   }
   return n.target();
 }
 
 /// Calls test(primitive) for the primitives of every cell along the ray until done(t), where t is the parameter at
-/// which the ray leaves the cell just tested.
-template <class Test, class Done>
-RL_HD void traverseRopes(const KdTreeView& tree, const Ray& ray, Test&& test, Done&& done) {
+/// which the ray leaves the cell just tested. start(planes, t): a node above the cell where the ray enters the tree.
+template <class Test, class Done, class Start>
+RL_HD void traverseRopes(const KdTreeView& tree, const Ray& ray, Test&& test, Done&& done, Start&& start) {
   RayPlanes const planes(ray);
   std::uint32_t face;
   Real t = planes.enter(tree.bounds);
   if (!(t <= planes.exit(tree.bounds, face))) return;
-  std::uint32_t node = 0;
+  std::uint32_t node = start(planes, t);
   while (node != noRope) {
     const KdLeaf& leaf = tree.leaves[findLeaf(tree, planes, node, t)];
     for (std::uint32_t k = 0; k < leaf.count; ++k) test(tree.references[leaf.first + k]);
@@ -80,6 +82,11 @@ RL_HD void traverseRopes(const KdTreeView& tree, const Ray& ray, Test&& test, Do
     if (face == 6 || done(t)) return;
     node = leaf.ropes[face];
   }
+}
+
+template <class Test, class Done>
+RL_HD void traverseRopes(const KdTreeView& tree, const Ray& ray, Test&& test, Done&& done) {
+  traverseRopes(tree, ray, test, done, [](const RayPlanes&, Real) { return 0u; });
 }
 
 }  // namespace ropelight::RL_TARGET

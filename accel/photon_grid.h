@@ -2,57 +2,26 @@
 // Photons in a uniform grid: dense where all cells of the scene fit the table, else hashed by row. Cells that are
 // neighbours along x are neighbours in the table, so that a query reads a few runs of consecutive photons.
 
-#include "render/core/numeric.h"
+#include "accel/photon.h"
 #include "render/core/rng.h"
 #include "render/core/span.h"
 
 namespace ropelight::RL_TARGET {
 
-/// Octahedral encoding of a unit vector in 2×16 bits (Cigolle et al. 2014); the error is below 10⁻⁴ rad.
-RL_HD inline std::uint32_t packDirection(Vec3 v) {
-  Real const scale = 1 / (abs(v.x) + abs(v.y) + abs(v.z));
-  Real x = v.x * scale, y = v.y * scale;
-  if (v.z < 0) {
-    Real const fold = (1 - abs(y)) * copysign(Real(1), x);
-    y = (1 - abs(x)) * copysign(Real(1), y);
-    x = fold;
-  }
-  auto const quantise = [](Real t) { return std::uint32_t((t * Real(0.5) + Real(0.5)) * Real(65535) + Real(0.5)); };
-  return quantise(x) << 16 | quantise(y);
-}
-
-RL_HD inline Vec3 unpackDirection(std::uint32_t bits) {
-  Real x = Real(bits >> 16) * Real(2.0 / 65535) - 1, y = Real(bits & 0xFFFFu) * Real(2.0 / 65535) - 1;
-  Real const z = 1 - abs(x) - abs(y);
-  if (z < 0) {
-    Real const fold = (1 - abs(y)) * copysign(Real(1), x);
-    y = (1 - abs(x)) * copysign(Real(1), y);
-    x = fold;
-  }
-  return normalize(Vec3(x, y, z));
-}
-
-/// What the distance test reads. normal: packed, on the side that the photon arrived from.
-struct PhotonPosition {
+/// All photons looked for lie in this box about p and, up to rounding, in this ball about p.
+struct Neighbourhood {
   Vec3 p;
-  std::uint32_t normal;
+  Vec3 extent;  ///< half the box's edges
+  Real radius2;
 };
 
-/// What an accepted photon adds. flux: watts. edges: of its path from the light. caustic: 1 where all earlier bounces
-/// were specular, and there was one.
-struct PhotonPower {
-  Rgb flux;
-  std::uint32_t edges : 31 = 0;
-  std::uint32_t caustic : 1 = 0;
-};
-
-struct CellRange {
-  int low[3], high[3];  ///< inclusive
-};
-
+/// Nothing here needs cell numbers to be exact: they are a monotone function of the coordinate, the same for photons
+/// and queries, and photons beyond the bounds belong to the border's cells.
 struct PhotonGrid {
   Vec3 origin{0};
-  Real inverseCell = 1;
+  Vec3 edge{1};  ///< of a cell
+  Vec3 inverseEdge{1};
+  Vec3 slack{0};            ///< more than rounding can move a cell's border, in scene units
   int size[3] = {1, 1, 1};  ///< cells along each axis
   std::uint32_t cells = 1;  ///< of the table: all of them where dense, else a power of two
   bool dense = true;
@@ -61,7 +30,7 @@ struct PhotonGrid {
   Span<const PhotonPower> powers;
 
   RL_HD int cellOf(Real x, int axis) const {
-    Real const c = (x - origin[axis]) * inverseCell;
+    Real const c = (x - origin[axis]) * inverseEdge[axis];
     return int(minOf(maxOf(c, Real(0)), Real(size[axis] - 1)));  // truncation is the floor of what is left
   }
 
@@ -76,51 +45,79 @@ struct PhotonGrid {
     return dense ? k : k & (cells - 1);
   }
 
-  /// Cells that hold every photon within `extent` of p along each axis, whatever the rounding.
-  RL_HD CellRange around(Vec3 p, Vec3 extent) const {
-    CellRange r;
-    for (int a = 0; a < 3; ++a) {
-      Real const reach = extent[a] * Real(1.00001) + abs(p[a]) * (4 * machineEpsilon);
-      r.low[a] = cellOf(p[a] - reach, a);
-      r.high[a] = cellOf(p[a] + reach, a);
-    }
-    return r;
-  }
-
-  /// Calls visit(k) once for every photon k in the cells of the range, in ascending order of the table by rows.
-  template <class Visit>
-  RL_HD void forEachIn(const CellRange& r, Visit&& visit) const {
-    for (int z = r.low[2]; z <= r.high[2]; ++z)
-      for (int y = r.low[1]; y <= r.high[1]; ++y) {
-        std::uint32_t const row = rowStart(y, z);
-        if (dense)
-          visitRun(row + std::uint32_t(r.low[0]), row + std::uint32_t(r.high[0]), visit);
-        else
-          visitHashedRow(r, y, z, row, visit);
+  /// Calls take(k, value, position) once for every photon k near n.p for which test(position, value) is true, and for
+  /// none outside the neighbourhood unless test finds it there by rounding. Ascending in k where the grid is dense.
+  template <class Test, class Take>
+  RL_HD void forEachNear(const Neighbourhood& n, Test&& test, Take&& take) const {
+    if (!isFinite(n.p)) return;  // would meet all cells
+    Axis const y(*this, n, 1), z(*this, n, 2);
+    Real const reachX = reach(n.p.x, n.extent.x), radius2 = n.radius2 * Real(1.00001);
+    for (int cz = z.low; cz <= z.high; ++cz) {
+      Real const rest = radius2 - square(z.gap(cz));
+      for (int cy = y.low; cy <= y.high; ++cy) {
+        Real const chord2 = rest - square(y.gap(cy));
+        if (chord2 < 0) continue;  // the row passes by the ball
+        Real const half = minOf(reach(n.p.x, sqrt(chord2)), reachX);
+        visitRow(cy, cz, cellOf(n.p.x - half, 0), cellOf(n.p.x + half, 0), test, take);
       }
+    }
   }
 
  private:
-  template <class Visit>
-  RL_HD void visitRun(std::uint32_t first, std::uint32_t last, Visit&& visit) const {
-    for (std::uint32_t k = starts[first], end = starts[last + 1]; k < end; ++k) visit(k);
+  /// The cells that a query meets along y or z, and how far it is from each.
+  struct Axis {
+    int low, high;
+    Real at, edge, slack;  ///< at: the query's place, moved into the grid
+
+    RL_HD Axis(const PhotonGrid& g, const Neighbourhood& n, int axis) : edge(g.edge[axis]), slack(g.slack[axis]) {
+      Real const half = reach(n.p[axis], n.extent[axis]);
+      low = g.cellOf(n.p[axis] - half, axis);
+      high = g.cellOf(n.p[axis] + half, axis);
+      at = minOf(maxOf(n.p[axis] - g.origin[axis], Real(0)), Real(g.size[axis]) * edge);
+    }
+
+    /// A lower bound on the distance to every photon of the cell, those beyond the bounds included.
+    RL_HD Real gap(int cell) const {
+      Real const below = Real(cell) * edge - at;
+      return maxOf(maxOf(below, -(below + edge)) - slack, Real(0));
+    }
+  };
+
+  /// A distance with what rounding can add to it at the coordinate x.
+  RL_HD static Real reach(Real x, Real extent) { return extent * Real(1.00001) + abs(x) * (4 * machineEpsilon); }
+
+  /// A hashed row may wrap round the end of the table.
+  template <class Test, class Take>
+  RL_HD void visitRow(int y, int z, int low, int high, Test& test, Take& take) const {
+    std::uint32_t first = rowStart(y, z) + std::uint32_t(low), span = std::uint32_t(high - low);
+    if (!dense) {
+      first &= cells - 1;
+      if (span >= cells) {
+        first = 0;
+        span = cells - 1;
+      }
+    }
+    for (;;) {
+      bool const wraps = first + span >= cells;
+      visitRun(y, z, starts[first], starts[wraps ? cells : first + span + 1], test, take);
+      if (!wraps) return;
+      span -= cells - first;
+      first = 0;
+    }
   }
 
-  /// A bucket may hold photons of other cells: their coordinates decide, so that none is seen twice.
-  template <class Visit>
-  RL_HD void visitHashedRow(const CellRange& r, int y, int z, std::uint32_t row, Visit& visit) const {
-    std::uint32_t const span = std::uint32_t(r.high[0] - r.low[0]);
-    std::uint32_t const first = (row + std::uint32_t(r.low[0])) & (cells - 1);
-    auto const checked = [&](std::uint32_t k) {
-      Vec3 const p = positions[k].p;
-      int const x = cellOf(p.x, 0);
-      if (cellOf(p.y, 1) == y && cellOf(p.z, 2) == z && x >= r.low[0] && x <= r.high[0]) visit(k);
-    };
-    if (span >= cells) return visitRun(0, cells - 1, checked);
-    if (first + span < cells) return visitRun(first, first + span, checked);
-    visitRun(first, cells - 1, checked);
-    visitRun(0, first + span - cells, checked);
+  template <class Test, class Take>
+  RL_HD void visitRun(int y, int z, std::uint32_t begin, std::uint32_t end, Test& test, Take& take) const {
+    for (std::uint32_t k = begin; k < end; ++k) {
+      PhotonPosition const photon = positions[k];
+      Real value;
+      if (test(photon, value) && belongs(photon.p, y, z)) take(k, value, photon);
+    }
   }
+
+  /// A bucket of a hashed grid may hold photons of other rows, which are not this row's to take: else one might be seen
+  /// twice.
+  RL_HD bool belongs(Vec3 p, int y, int z) const { return dense || (cellOf(p.y, 1) == y && cellOf(p.z, 2) == z); }
 };
 
 }  // namespace ropelight::RL_TARGET

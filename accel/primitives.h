@@ -18,36 +18,69 @@ struct Sphere {
   Vec3 center;
 };
 
-struct Triangle {
-  Vec3 a, b, c;
+/// Padded so that a GPU reads each vertex at once. id: of the primitive, for triangles in the order of some leaves.
+struct alignas(16) Triangle {
+  Vec3 a;
+  std::uint32_t id = 0;
+  Vec3 b;
+  std::uint32_t unusedB = 0;
+  Vec3 c;
+  std::uint32_t unusedC = 0;
 };
 
-/// The shear that takes a ray to the +z axis (Woop, Benthin & Wald 2013, "Watertight Ray/Triangle Intersection").
-struct RayShear {
-  int kx, ky, kz;
-  Vec3 origin;  ///< permuted
-  Real sx, sy, sz;
-
-  RL_HD explicit RayShear(const Ray& ray) {
-    Vec3 const m = absolute(ray.direction);
-    kz = m.x > m.y ? (m.x > m.z ? 0 : 2) : (m.y > m.z ? 1 : 2);
-    kx = kz == 2 ? 0 : kz + 1;
-    ky = kx == 2 ? 0 : kx + 1;
-    Vec3 const o = ray.origin, d = ray.direction;
-    origin = Vec3(pick(o, kx), pick(o, ky), pick(o, kz));
-    sz = 1 / pick(d, kz);
-    sx = pick(d, kx) * sz;
-    sy = pick(d, ky) * sz;
+/// The shear that takes a ray to the +z axis (Woop, Benthin & Wald 2013, "Watertight Ray/Triangle Intersection"). A
+/// vertex shared by two primitives is sheared to the same bits in both: that makes the edge test watertight. On the
+/// host the axes are permuted by index; in registers an index costs selects, so that there the shear is a matrix.
+class RayShear {
+ public:
+  RL_HD explicit RayShear(const Ray& ray) : origin_(ray.origin) {
+    Vec3 const m = absolute(ray.direction), d = ray.direction;
+    kz_ = m.x > m.y ? (m.x > m.z ? 0 : 2) : (m.y > m.z ? 1 : 2);
+    kx_ = kz_ == 2 ? 0 : kz_ + 1;
+    ky_ = kx_ == 2 ? 0 : kx_ + 1;
+    sz_ = 1 / pick(d, kz_);
+    sx_ = pick(d, kx_) * sz_;
+    sy_ = pick(d, ky_) * sz_;
+#if RL_DEVICE_CODE
+    rowX_ = column(kx_, 1) - column(kz_, sx_);
+    rowY_ = column(ky_, 1) - column(kz_, sy_);
+    rowZ_ = column(kz_, sz_);
+#endif
   }
 
   RL_HD static Real pick(Vec3 v, int k) { return k == 0 ? v.x : (k == 1 ? v.y : v.z); }
 
-  /// A vertex shared by two primitives is sheared to the same bits in both: that makes the edge test watertight.
-  RL_HD Vec3 operator()(const Vec3& v) const {
-    const Real* p = &v.x;
-    Real const z = p[kz] - origin.z;
-    return Vec3(mulAdd(-sx, z, p[kx] - origin.x), mulAdd(-sy, z, p[ky] - origin.y), sz * z);
+  /// Length along the main axis in one unit of the ray parameter.
+  RL_HD Real speed() const {
+#if RL_DEVICE_CODE
+    return 1 / maxAbs(rowZ_);
+#else
+    return 1 / abs(sz_);
+#endif
   }
+
+  /// x, y: across the ray; z: the ray parameter.
+  RL_HD Vec3 operator()(const Vec3& v) const {
+#if RL_DEVICE_CODE
+    Vec3 const q = v - origin_;
+    return Vec3(along(rowX_, q), along(rowY_, q), along(rowZ_, q));
+#else
+    const Real *p = &v.x, *o = &origin_.x;
+    Real const z = p[kz_] - o[kz_];
+    return Vec3(mulAdd(-sx_, z, p[kx_] - o[kx_]), mulAdd(-sy_, z, p[ky_] - o[ky_]), sz_ * z);
+#endif
+  }
+
+ private:
+  RL_HD static Vec3 column(int k, Real value) {
+    return Vec3(k == 0 ? value : 0, k == 1 ? value : 0, k == 2 ? value : 0);
+  }
+  RL_HD static Real along(Vec3 row, Vec3 q) { return mulAdd(row.x, q.x, mulAdd(row.y, q.y, mulRounded(row.z, q.z))); }
+
+  Vec3 origin_;
+  int kx_, ky_, kz_;
+  Real sx_, sy_, sz_;
+  Vec3 rowX_, rowY_, rowZ_;  ///< of the matrix, on the device
 };
 
 /// Twice the signed area of (0, p, q): edge(q, p) is exactly −edge(p, q), and the sign is never wrong (it may be 0).
@@ -56,9 +89,9 @@ RL_HD inline Real edge(Vec3 p, Vec3 q) { return mulRounded(p.x, q.y) - mulRounde
 RL_HD inline bool mixedSigns(Real lowest, Real highest) { return lowest < 0 && highest > 0; }
 
 /// Completes a hit of the sheared triangle p, q, r with edge values u, v, w; rejects t within its own error of zero
-/// (pbrt-3, §3.9.6).
-RL_HD inline bool hitTriangle(Vec3 p, Vec3 q, Vec3 r, Real u, Real v, Real w, const Hit& hit, std::uint32_t id, Real& t,
-                              Real& inverse) {
+/// (pbrt-3, §3.9.6; here z counts ray parameters, and lengths only when it is multiplied by the ray's speed).
+RL_HD inline bool hitTriangle(const RayShear& shear, Vec3 p, Vec3 q, Vec3 r, Real u, Real v, Real w, const Hit& hit,
+                              std::uint32_t id, Real& t, Real& inverse) {
   Real const det = u + v + w;
   if (det == 0) return false;
   inverse = 1 / det;
@@ -66,7 +99,8 @@ RL_HD inline bool hitTriangle(Vec3 p, Vec3 q, Vec3 r, Real u, Real v, Real w, co
   if (!(t > 0) || !hit.improvedBy(t, id)) return false;
   Real const maxX = maxAbs(Vec3(p.x, q.x, r.x)), maxY = maxAbs(Vec3(p.y, q.y, r.y));
   Real const maxZ = maxAbs(Vec3(p.z, q.z, r.z)), maxE = maxAbs(Vec3(u, v, w));
-  Real const deltaX = gammaBound(5) * (maxX + maxZ), deltaY = gammaBound(5) * (maxY + maxZ);
+  Real const depth = maxZ * shear.speed();
+  Real const deltaX = gammaBound(5) * (maxX + depth), deltaY = gammaBound(5) * (maxY + depth);
   Real const deltaZ = gammaBound(3) * maxZ;
   Real const deltaE = 2 * (gammaBound(2) * maxX * maxY + deltaY * maxX + deltaX * maxY);
   return t > 3 * (gammaBound(3) * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) * abs(inverse);
@@ -78,7 +112,7 @@ RL_HD inline void intersect(const Triangle& triangle, const RayShear& shear, std
   Real const u = edge(r, q), v = edge(p, r), w = edge(q, p);
   if (mixedSigns(minOf(u, minOf(v, w)), maxOf(u, maxOf(v, w)))) return;
   Real t, inverse;
-  if (hitTriangle(p, q, r, u, v, w, hit, id, t, inverse)) hit = Hit{t, id, v * inverse, w * inverse};
+  if (hitTriangle(shear, p, q, r, u, v, w, hit, id, t, inverse)) hit = Hit{t, id, v * inverse, w * inverse};
 }
 
 /// The plane's distance first, which rules out most quads; then the watertight test of the four edges. u, v:

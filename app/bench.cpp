@@ -1,12 +1,13 @@
 #include "app/bench.h"
+#include "app/bench_result.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 #include "app/output.h"
-#include "app/report.h"
-#include "app/values.h"
 #include "render/core/error.h"
 #include "render/core/version.h"
 #include "render/film/atomic_file.h"
@@ -17,90 +18,43 @@ namespace {
 
 struct Bench {
   const char* name;
-  std::vector<BenchRow> (*run)(const BenchOptions&);
+  BenchResult (*run)(const BenchOptions&);
   bool needsWindow;
 };
 
 /// A new benchmark is its own file and one line here.
-constexpr Bench benches[] = {{"iteration", benchIteration, false}, {"display", benchDisplay, true}};
-
-struct Summary {
-  double median, min, max;
-};
-
-/// Of at least one value.
-Summary summarise(std::vector<double> seconds) {
-  std::sort(seconds.begin(), seconds.end());
-  std::size_t const n = seconds.size();
-  return {(seconds[(n - 1) / 2] + seconds[n / 2]) / 2, seconds.front(), seconds.back()};
-}
-
-double perIteration(const Stats& stats, double count) {
-  return stats.iterations > 0 ? count / double(stats.iterations) : 0;
-}
-
-std::string threadsText(const BenchRow& row) { return row.threads > 0 ? fmt::format("{}", row.threads) : "all"; }
-
-void printRow(const BenchRow& row) {
-  Summary const s = summarise(row.seconds);
-  fmt::print("\n{}: {} on {}, {} threads\n", row.bench, row.scene, row.stats.device, threadsText(row));
-  Settings settings = row.settings;
-  settings.params([separator = "  "](const char* name, const auto& value, const ParamInfo&) mutable {
-    fmt::print("{}{}={}", separator, name, formatValue(value));
-    separator = " ";
-  });
-  fmt::print("\n  {:<18}{:.4g} s median, {:.4g} min, {:.4g} max of {}\n", row.timed, s.median, s.min, s.max,
-             row.seconds.size());
-  fmt::print("  {:<18}{:.4g} Mrays/s, {:.4g} Mphotons/s\n", "rates", megaRays(row.stats), megaPhotons(row.stats));
-  fmt::print("  {:<18}{:.0f} an iteration\n", "photons stored",
-             perIteration(row.stats, double(row.stats.photonsStored)));
-  for (const auto& [stage, seconds] : row.stats.stageSeconds)
-    fmt::print("  {:<18}{:.4g} s an iteration\n", stage, perIteration(row.stats, seconds));
-}
-
-nlohmann::ordered_json toJson(const BenchRow& row) {
-  Summary const s = summarise(row.seconds);
-  return {{"bench", row.bench},
-          {"timed", row.timed},
-          {"scene", row.scene},
-          {"threads", row.threads},
-          {"median", s.median},
-          {"min", s.min},
-          {"max", s.max},
-          {"seconds", row.seconds},
-          {"megaRays", megaRays(row.stats)},
-          {"megaPhotons", megaPhotons(row.stats)},
-          {"settings", toJson(row.settings)},
-          {"stats", toJson(row.stats)}};
-}
-
-/// A text cell, quoted as RFC 4180 has it.
-std::string quoted(const std::string& text) {
-  std::string cell = "\"";
-  for (char const c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
-  return cell + "\"";
-}
-
-std::string toCsv(const std::vector<BenchRow>& rows) {
-  std::string csv =
-      "bench,scene,device,threads,width,height,photons,radius,accel,seed,repeat,median_s,min_s,max_s,mrays_s,"
-      "mphotons_s,stored_per_iteration\n";
-  for (const BenchRow& row : rows) {
-    Summary const s = summarise(row.seconds);
-    const Settings& set = row.settings;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.bench, quoted(row.scene),
-                       quoted(row.stats.device), row.threads, set.width, set.height, set.photons, set.radius, set.accel,
-                       set.seed, row.seconds.size(), s.median, s.min, s.max, megaRays(row.stats),
-                       megaPhotons(row.stats), perIteration(row.stats, double(row.stats.photonsStored)));
-  }
-  return csv;
-}
+constexpr Bench benches[] = {{"iteration", benchIteration, false}, {"gather", benchGather, false},
+                             {"kdtree", benchKdTree, false},       {"split", benchSplit, false},
+                             {"modes", benchModes, false},         {"traversal", benchTraversal, false},
+                             {"display", benchDisplay, true}};
 
 const Bench& findBench(const std::string& name) {
   for (const Bench& bench : benches)
     if (name == bench.name) return bench;
   throw Error(fmt::format("bench: there is no benchmark '{}'; there are: {}", name, joinNames(benchNames())),
               ExitCode::usage);
+}
+
+std::string fileOf(const std::string& folder, const std::string& name, const char* extension) {
+  return (std::filesystem::path(folder) / (name + extension)).string();
+}
+
+/// Before minutes of measuring; makes the folder.
+void checkOutputs(const BenchOptions& options, const std::vector<const Bench*>& chosen) {
+  if (!options.json.empty() && options.json != "-") requireWritable(options.json);
+  if (!options.csv.empty()) requireWritable(options.csv);
+  if (options.out.empty()) return;
+  std::error_code failure;
+  std::filesystem::create_directories(options.out, failure);
+  if (failure)
+    throw Error(fmt::format("{}: cannot make the folder: {}; name another one", options.out, failure.message()));
+  for (const Bench* bench : chosen) requireWritable(fileOf(options.out, bench->name, ".csv"));
+}
+
+void writeFiles(const std::string& folder, const BenchResult& result) {
+  writeFile(fileOf(folder, result.bench, ".csv"), toCsv({result}));
+  for (const BenchPlot& plot : result.plots)
+    writeFile(fileOf(folder, result.bench + (plot.suffix.empty() ? "" : "-" + plot.suffix), ".svg"), toSvg(plot.plot));
 }
 
 }  // namespace
@@ -116,21 +70,20 @@ int runBench(const BenchOptions& options) {
   for (const std::string& name : options.names) chosen.push_back(&findBench(name));
   for (const Bench& bench : benches)
     if (options.names.empty() && !bench.needsWindow) chosen.push_back(&bench);
-  if (!options.json.empty() && options.json != "-") requireWritable(options.json);
-  if (!options.csv.empty()) requireWritable(options.csv);
+  checkOutputs(options, chosen);
 
-  std::vector<BenchRow> rows;
+  std::vector<BenchResult> results;
+  bool failed = false;
   for (const Bench* bench : chosen) {
-    for (const BenchRow& row : bench->run(options)) {
-      if (options.json != "-") printRow(row);
-      rows.push_back(row);
-    }
+    results.push_back(bench->run(options));
+    failed = failed || results.back().failed();
+    if (options.json != "-") fmt::print("{}", toText(results.back()));
+    std::fflush(stdout);
+    if (!options.out.empty()) writeFiles(options.out, results.back());
   }
-  auto json = nlohmann::ordered_json::array();
-  for (const BenchRow& row : rows) json.push_back(toJson(row));
-  if (!options.json.empty()) writeJson(options.json, {{"version", version}, {"rows", json}});
-  if (!options.csv.empty()) writeFile(options.csv, toCsv(rows));
-  return int(ExitCode::done);
+  if (!options.json.empty()) writeJson(options.json, {{"version", version}, {"rows", toJson(results)}});
+  if (!options.csv.empty()) writeFile(options.csv, toCsv(results));
+  return int(failed ? ExitCode::checkFailed : ExitCode::done);
 }
 
 }  // namespace ropelight

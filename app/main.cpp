@@ -23,6 +23,7 @@ int run(const InfoOptions& options) { return runInfo(options); }
 int run(const DevicesOptions& options) { return runDevices(options); }
 int run(const CompareOptions& options) { return runCompare(options); }
 int run(const BenchOptions& options) { return runBench(options); }
+int run(const StressOptions& options) { return runStress(options); }
 
 int fail(const char* message, ExitCode code) {
   std::fprintf(stderr, "ropelight: %s\n", message);

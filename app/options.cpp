@@ -54,6 +54,8 @@ Command parse(const char* name, const char* doc, std::vector<std::string> argume
     throw Error(fmt::format("{}; see ropelight {} --help", error.what(), name), ExitCode::usage);
   }
   if constexpr (requires { options.scene.settings; }) checkNames(options.scene);
+  if constexpr (requires { options.backend.backend; })
+    checkName("--backend", options.backend.backend, {"auto", "cuda", "cpu"});
   return options;
 }
 
@@ -127,7 +129,23 @@ Command parseBench(const char* name, const char* doc, Arguments arguments) {
     addValue(app, "--repeat", o.repeat, ParamInfo{"timed repetitions", 1, 1e6});
     addFile(app, "--json", o.json, jsonDoc);
     addFile(app, "--csv", o.csv, "write the rows as CSV");
+    app.add_option("--out", o.out, "folder for NAME.csv and NAME.svg of every benchmark")
+        ->type_name("FOLDER")
+        ->take_last();
+    app.add_flag("--full", o.full, "a GPU's numbers of rays, photons and triangles on the CPU too");
+    addFile(app, "--mesh", o.mesh, "OBJ file for traversal instead of a generated mesh");
     addSceneArguments(app, o.scene);
+  });
+}
+
+Command parseStress(const char* name, const char* doc, Arguments arguments) {
+  return parse<StressOptions>(name, doc, std::move(arguments), [](CLI::App& app, StressOptions& o) {
+    addValue(app, "--rays", o.rays, ParamInfo{"rays for every mesh and traversal", 1, 1e12});
+    addValue(app, "--seed", o.seed, ParamInfo{"random seed", 0, 4294967295.0});
+    app.add_flag("--full", o.full, "a mesh of a million triangles too");
+    addFile(app, "--mesh", o.mesh, "OBJ file to be checked too");
+    addFile(app, "--json", o.json, jsonDoc);
+    addBackendArguments(app, o.backend);
   });
 }
 
@@ -145,6 +163,7 @@ constexpr Subcommand subcommands[] = {
     {"devices", "", "List the CPU and the GPUs.", parseDevices},
     {"compare", "IMAGE REFERENCE", "Measure how far an image is from a reference.", parseCompare},
     {"bench", "[NAME...]", "Measure speed.", parseBench},
+    {"stress", "", "Check every traversal on the rays and meshes on which tracers fail.", parseStress},
 };
 
 /// A line that names no subcommand is for the viewer, unless its first word is a mistyped one.

@@ -9,6 +9,7 @@
 #include "app/devices.h"
 #include "app/info.h"
 #include "app/render.h"
+#include "app/stress.h"
 #include "app/view.h"
 
 namespace ropelight {
@@ -18,8 +19,8 @@ struct Message {
   std::string text;
 };
 
-using Command =
-    std::variant<Message, ViewOptions, RenderOptions, InfoOptions, DevicesOptions, CompareOptions, BenchOptions>;
+using Command = std::variant<Message, ViewOptions, RenderOptions, InfoOptions, DevicesOptions, CompareOptions,
+                             BenchOptions, StressOptions>;
 
 /// Reads the arguments, the program's name first. Throws Error (usage) naming the argument and what was expected.
 Command parseCommandLine(int argc, const char* const* argv);

@@ -53,11 +53,14 @@ void assignSetting(Settings& settings, const std::string& key, const std::string
       ExitCode::usage);
 }
 
-void addSceneArguments(CLI::App& app, SceneOptions& options) {
-  BackendChoice& backend = options.backend;
+void addBackendArguments(CLI::App& app, BackendChoice& backend) {
   addValue(app, "--backend", backend.backend, ParamInfo{"auto (first usable GPU, else the CPU), cuda or cpu"});
   addValue(app, "--gpu", backend.gpu, ParamInfo{"index of the GPU; -1: the first usable one", -1, 1023});
   addValue(app, "--threads", backend.threads, ParamInfo{"CPU threads; 0: all cores", 0, 4096});
+}
+
+void addSceneArguments(CLI::App& app, SceneOptions& options) {
+  addBackendArguments(app, options.backend);
   addSettings(app, options.settings);
 }
 

@@ -17,6 +17,9 @@ CLI::Option* addValue(CLI::App& app, const std::string& flags, T& value, const P
   return option->type_name("")->take_last()->default_str(formatValue(value));
 }
 
+/// Adds --backend, --gpu and --threads.
+void addBackendArguments(CLI::App& app, BackendChoice& backend);
+
 /// Adds the scene's options: backend, GPU, threads, one option for every value of Settings::params, and -D.
 void addSceneArguments(CLI::App& app, SceneOptions& options);
 

@@ -4,7 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <bit>
+#include <numeric>
 
 #include "render/backend/radix_sort.h"
 #include "tests/photon_cloud.h"
@@ -12,6 +14,19 @@
 
 using namespace ropelight;
 using namespace ropelight::cpu;
+
+namespace {
+
+void findCells(const std::vector<std::uint32_t>& keys, const IterationState& state, std::vector<std::uint32_t>& starts,
+               std::uint32_t batch) {
+  Tally tally;
+  std::uint32_t const cells = std::uint32_t(starts.size()) - 1;
+  FindCells const find{
+      {keys.data(), std::uint32_t(keys.size())}, {&state, 1}, {starts.data(), cells + 1}, cells, batch};
+  for (std::uint32_t i = 0; i < FindCells::calls(cells, batch); ++i) find(i, tally);
+}
+
+}  // namespace
 
 TEST_CASE("the stages order the photons by cell, tails included, and leave the rest of the list out") {
   constexpr std::uint32_t paths = 200, stripe = 3, tails = 600, capacity = 1500;
@@ -25,17 +40,18 @@ TEST_CASE("the stages order the photons by cell, tails included, and leave the r
   std::uint32_t const total = offsets[paths].all;
   REQUIRE((total < capacity && offsets[paths].tail < tails && offsets[paths].tail > 10));
 
-  std::vector<PhotonPosition> slotPositions(paths * stripe + tails), positions(capacity);
-  std::vector<PhotonPower> slotPowers(paths * stripe + tails), powers(capacity);
+  std::vector<Photon> photons(paths * stripe + tails);
+  std::vector<PhotonPosition> positions(capacity);
+  std::vector<PhotonPower> powers(capacity);
   std::vector<std::uint32_t> keys(capacity), slots(capacity), scratch(2 * capacity);
   IterationState state;
+  state.chunkPhotons = total;
   PhotonStore store;
   store.paths = paths;
   store.stripe = stripe;
   store.tailCapacity = tails;
   store.photonCapacity = capacity;
-  store.positions = {slotPositions.data(), std::uint32_t(slotPositions.size())};
-  store.powers = {slotPowers.data(), std::uint32_t(slotPowers.size())};
+  store.photons = {photons.data(), std::uint32_t(photons.size())};
   store.counts = {counts.data(), paths};
   store.offsets = {offsets.data(), paths + 1};
   store.keys = {keys.data(), capacity};
@@ -45,33 +61,36 @@ TEST_CASE("the stages order the photons by cell, tails included, and leave the r
   for (std::uint32_t p = 0; p < paths; ++p)
     for (std::uint32_t j = 0; j < counts[p].all; ++j) {
       std::uint32_t const slot = store.slotOf(p, j);
-      CHECK((slotPowers.at(slot).edges == 0));  // no slot twice
+      CHECK(photons.at(slot).power.path == 0);  // no slot twice
       points.push_back(Vec3(random.inBox(1)));
-      slotPositions[slot] = {points.back(), 0};
-      slotPowers[slot] = {Rgb(1.0f), std::uint32_t(points.size())};
+      photons[slot] = {{points.back(), 0}, {Rgb(1.0f), std::uint32_t(points.size())}};
     }
 
-  for (std::uint32_t table : {1u << 12, 64u}) {
+  for (std::uint32_t table : {1u << 14, 8u}) {
     PhotonGrid grid;
-    PhotonCloud::layOut(grid, Bounds{Vec3d(-1), Vec3d(1)}, 0.2, table);
-    CHECK(grid.dense == (table == 1u << 12));
+    layOut(grid, Bounds{Vec3d(-1), Vec3d(1)}, 0.2, table);
+    CHECK(grid.dense == (table == 1u << 14));
     std::vector<std::uint32_t> starts(grid.cells + 1, 12345);
     Tally tally;
     for (std::uint32_t p = 0; p < paths; ++p) WriteKeys{store, grid}(p, tally);
     for (std::uint32_t k = 0; k < capacity; ++k) PadKeys{store, grid.cells}(k, tally);
     radixSortPairs(keys.data(), slots.data(), scratch.data(), scratch.data() + capacity, capacity,
-                   std::bit_width(grid.cells), 2);
-    OrderPhotons const order{
-        store, grid.cells, {starts.data(), grid.cells + 1}, {positions.data(), capacity}, {powers.data(), capacity}};
-    for (std::uint32_t k = 0; k <= capacity; ++k) order(k, tally);
+                   std::bit_width(grid.cells - 1), 2);
+    OrderPhotons const order{{photons.data(), std::uint32_t(photons.size())},
+                             {slots.data(), capacity},
+                             {&state, 1},
+                             {positions.data(), capacity},
+                             {powers.data(), capacity}};
+    for (std::uint32_t k = 0; k < capacity; ++k) order(k, tally);
+    findCells(keys, state, starts, 4);
 
     CHECK(starts.front() == 0);
     CHECK(starts.back() == total);
     int misplaced = 0;
     for (std::uint32_t c = 0; c < grid.cells; ++c)
       for (std::uint32_t k = starts[c]; k < starts[c + 1]; ++k) {
-        misplaced += grid.key(positions[k].p) != c || points.at(powers[k].edges - 1) != positions[k].p;
-        misplaced += k > starts[c] && powers[k].edges <= powers[k - 1].edges;  // stable: by path, then deposit
+        misplaced += grid.key(positions[k].p) != c || points.at(powers[k].path - 1) != positions[k].p;
+        misplaced += k > starts[c] && powers[k].path <= powers[k - 1].path;  // stable: by path, then deposit
       }
     CHECK(misplaced == 0);
   }
@@ -81,9 +100,8 @@ TEST_CASE("a halted iteration orders no photons") {
   constexpr std::uint32_t capacity = 40, cells = 4;  // for photons that are more than that
   std::vector<DepositCount> counts(1, {2 * capacity, 0, 0}), offsets{{0, 0, 0}, {2 * capacity, 0, 0}};
   std::vector<std::uint32_t> keys(capacity, 0), slots(capacity, 0), starts(cells + 1, 12345);
-  std::vector<PhotonPosition> positions(capacity);
-  std::vector<PhotonPower> powers(capacity);
   IterationState state;
+  state.chunkPhotons = 2 * capacity;
   state.halt = 1;
   PhotonStore store;
   store.paths = 1;
@@ -96,10 +114,30 @@ TEST_CASE("a halted iteration orders no photons") {
   Tally tally;
   WriteKeys{store, PhotonGrid{}}(0, tally);
   for (std::uint32_t k = 0; k < capacity; ++k) PadKeys{store, cells}(k, tally);
-  OrderPhotons const order{
-      store, cells, {starts.data(), cells + 1}, {positions.data(), capacity}, {powers.data(), capacity}};
-  for (std::uint32_t k = 0; k <= capacity; ++k) order(k, tally);
+  for (std::uint32_t k = 0; k < capacity; ++k) OrderPhotons{{}, {}, {&state, 1}, {}, {}}(k, tally);  // touches nothing
+  findCells(keys, state, starts, 2);
   CHECK(starts == std::vector<std::uint32_t>(cells + 1, 0));
+}
+
+TEST_CASE("the starts of the cells are those of a count, whatever the batch") {
+  TestRandom random(8);
+  for (std::uint32_t cells : {1u, 2u, 7u, 64u, 1000u})
+    for (std::uint32_t n : {0u, 1u, 5u, 300u, 5000u})
+      for (int kind = 0; kind < 3; ++kind) {
+        std::vector<std::uint32_t> keys(n), expected(cells + 1, 0);
+        for (std::uint32_t& k : keys) k = kind == 0 ? random.below(cells) : kind == 1 ? cells - 1 : cells / 2;
+        std::sort(keys.begin(), keys.end());
+        for (std::uint32_t k : keys) ++expected[k + 1];
+        std::partial_sum(expected.begin(), expected.end(), expected.begin());
+        keys.resize(n + 10, cells - 1);  // what pads the list
+        IterationState state;
+        state.chunkPhotons = n;
+        for (std::uint32_t batch : {1u, 2u, 4u, 1024u}) {
+          std::vector<std::uint32_t> starts(cells + 1, 12345);
+          findCells(keys, state, starts, batch);
+          CHECK(starts == expected);
+        }
+      }
 }
 
 TEST_CASE("packed directions are within 10⁻⁴ of what went in") {

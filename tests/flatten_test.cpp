@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "accel/choice.h"
 #include "render/core/error.h"
 #include "tests/host_scene.h"
 #include "tests/test_random.h"
@@ -269,7 +270,13 @@ TEST_CASE("settings add a tree, photons and the k-nearest gather only where ther
   b.scene.materials[0].desc = MirrorParams{};
   CHECK_FALSE(has(feature::photons));
   for (std::uint32_t i = 0; i < bruteForceLimit; ++i) b.add(ShapeKind::sphere, Mat4d(1.0));
+  CHECK(has(feature::bvh));
+  s.accel = "short-stack";
   CHECK(has(feature::tree));
+  CHECK(has(feature::shortStack));
+  s.accel = "tree";
+  CHECK(has(feature::tree));
+  CHECK_FALSE(has(feature::bvh | feature::shortStack));
   s.accel = "brute";
-  CHECK_FALSE(has(feature::tree));
+  CHECK_FALSE(has(feature::tree | feature::bvh));
 }

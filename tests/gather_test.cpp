@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/photon_cloud.h"
 #include "tests/test_random.h"
@@ -16,8 +17,12 @@ namespace {
 
 constexpr Real radius = Real(0.3);
 
-/// Photons on a bumpy floor whose normal is `up`, some of them at the very same place. Their flux is a whole number, so
-/// that sums are exact in any order.
+/// Flux of whole numbers: sums are exact in any order, and tell by which photons they are.
+Rgb mark(TestRandom& random, std::uint32_t below) {
+  return {float(random.below(below)), float(random.below(below)), float(random.below(below))};
+}
+
+/// Photons on a bumpy floor whose normal is `up`, some of them at the very same place. Their flux is a mark.
 struct Floor {
   std::vector<PhotonPosition> positions;
   std::vector<PhotonPower> powers;
@@ -31,7 +36,7 @@ struct Floor {
       if (i % 5 == 0 && i > 0) p = positions[random.below(positions.size())].p;
       bool const below = random.below(10) == 0;
       positions.push_back({p, packDirection(below ? -n : n)});
-      powers.push_back({Rgb(float(1 + random.below(64)), 1, 0), 1 + random.below(6)});
+      powers.push_back({mark(random, 8192), 1 + random.below(6)});
     }
   }
 
@@ -64,8 +69,9 @@ struct Counted {
 std::vector<Counted> onDisc(const GatherView& view, const GatherPoint& g) {
   std::vector<Counted> list;
   for (std::uint32_t k = 0; k < view.grid.positions.size; ++k) {
-    Real const d = view.onDisc(g, k);
-    if (d >= 0 && view.withinDepth(g, k)) list.push_back({d, k});
+    Real d;
+    PhotonPosition const& photon = view.grid.positions[k];
+    if (view.onDisc(g, photon, d) && view.counts(g, photon, view.grid.powers[k])) list.push_back({d, k});
   }
   std::sort(list.begin(), list.end());
   return list;
@@ -75,6 +81,44 @@ Rgb fluxOf(const GatherView& view, const std::vector<Counted>& list, std::size_t
   Rgb flux(0.0f);
   for (std::size_t i = 0; i < count; ++i) flux += view.grid.powers[list[i].photon].flux;
   return flux;
+}
+
+Gathering nearestOf(const GatherView& view, const GatherPoint& g, int k) {
+  std::vector<Counted> const list = onDisc(view, g);
+  if (list.size() < std::size_t(k))
+    return {fluxOf(view, list, list.size()), std::uint32_t(list.size()), square(radius)};
+  return {fluxOf(view, list, std::size_t(k) - 1), std::uint32_t(k), list[std::size_t(k) - 1].distance2};
+}
+
+bool same(const Gathering& a, const Gathering& b) {
+  return a.flux == b.flux && a.count == b.count && a.radius2 == b.radius2;
+}
+
+struct Pile {
+  const char* name;
+  std::vector<PhotonPosition> positions;
+};
+
+/// Photons on planes z = const, the first and the middle one being where something happens.
+std::vector<Pile> piles() {
+  TestRandom random(9);
+  std::uint32_t const up = packDirection(Vec3(0, 0, 1));
+  std::vector<Pile> list{
+      {"thousands at one place, some beside it", {}}, {"rings at a few distances", {}}, {"distances that halve", {}},
+      {"a dense cluster in a sparse disc", {}},       {"a million away", {}},           {"neighbouring floats", {}}};
+  for (int i = 0; i < 4000; ++i) {
+    double const angle = random.between(0, 2 * M_PI), x = random.between(-0.3, 0.3), y = random.between(-0.3, 0.3);
+    list[0].positions.push_back({i < 40 ? Vec3(x, y, 0) : Vec3(0.1f, 0, 0), up});
+    Real const side = i % 4 < 2 ? Real(1) : Real(-1), ring = Real(0.01) * Real(1 + i / 4 % 5);
+    list[1].positions.push_back({i == 0 ? Vec3(0) : i % 2 ? Vec3(side * ring, 0, 0) : Vec3(0, side * ring, 0), up});
+    double const r = 0.3 * std::pow(0.5, i % 60);
+    list[2].positions.push_back({i == 0 ? Vec3(0) : Vec3(r * std::cos(angle), r * std::sin(angle), 0), up});
+    double const shrink = i % 8 == 1 ? 1 : 1e-4;
+    list[3].positions.push_back({Vec3(shrink * x, shrink * y, 0), up});
+    list[4].positions.push_back({Vec3(Vec3d(1e6 + x, -1e6 + y, 1e6)), up});
+    list[5].positions.push_back({Vec3(i == 0 ? 0.0f : 0.1f + float(i % 300) * 7.4505806e-9f, 0, 0), up});
+  }
+  return list;
 }
 
 template <class Gather>
@@ -113,6 +157,7 @@ TEST_CASE("the radius gather sums every photon on its disc, whatever the cells")
     std::vector<Counted> const list = onDisc(view, g);
     Rgb const expected = g.weight * fluxOf(view, list, list.size()) * float(invPi / square(radius));
     wrong += gathered(GatherRadius{view, {&g, 1}, {&radiance, 1}}) != expected;
+    wrong += gatherDisc(view, g).count != list.size();
     photons += list.size();
   });
   CHECK(wrong == 0);
@@ -125,17 +170,39 @@ TEST_CASE("the k-nearest gather takes the nearest, ties by photon, and leaves th
     int wrong = 0, full = 0, short_ = 0;
     forEveryGather([&](const GatherView& view, const GatherPoint& g) {
       Rgb radiance(0.0f);
-      std::vector<Counted> const list = onDisc(view, g);
-      bool const enough = list.size() >= std::size_t(k);
-      Real const area = pi * (enough ? list[std::size_t(k - 1)].distance2 : square(radius));
-      Rgb const flux = fluxOf(view, list, enough ? std::size_t(k - 1) : list.size());
-      Rgb const expected = area > 0 ? g.weight * flux * float(1 / area) : Rgb(0.0f);
-      wrong += gathered(GatherNearest{view, k, {&g, 1}, {&radiance, 1}}) != expected;
-      ++(enough ? full : short_);
+      Gathering const expected = nearestOf(view, g, k);
+      wrong += !same(gatherNearest(view, g, k), expected);
+      putGathering(radiance, g, expected, Gathered::radiance);
+      wrong += gathered(GatherNearest{view, k, {&g, 1}, {&radiance, 1}}) != Real(2) * radiance;
+      ++(expected.count == std::uint32_t(k) ? full : short_);
     });
     CHECK(wrong == 0);
     CHECK(full > 20);
     CHECK(short_ > 20);
+  }
+}
+
+TEST_CASE("the k nearest are found among photons that lie as unevenly as can be") {
+  Vec3 const up(0, 0, 1);
+  TestRandom random(10);
+  for (const Pile& pile : piles()) {
+    CAPTURE(pile.name);
+    std::vector<PhotonPower> powers;
+    for (std::size_t i = 0; i < pile.positions.size(); ++i) powers.push_back({mark(random, 4096), 1});
+    Bounds bounds;
+    for (const PhotonPosition& p : pile.positions) bounds.grow(Vec3d(p.p));
+    for (double cells : {0.5, 1.0, 5.0})
+      for (std::uint32_t table : {1u << 16, 16u}) {
+        PhotonCloud const cloud(pile.positions, powers, bounds, cells * double(radius), table);
+        GatherView const view{cloud.grid, radius, 1024};
+        for (int k : {1, 2, 16, 17, 50, 127, nearestLimit}) {
+          CAPTURE(k);
+          for (std::size_t i : {std::size_t(0), pile.positions.size() / 2}) {
+            GatherPoint const g = pointAt(pile.positions[i].p, up);
+            CHECK(same(gatherNearest(view, g, k), nearestOf(view, g, k)));
+          }
+        }
+      }
   }
 }
 

@@ -98,6 +98,44 @@ inline FlatScene flatShapes() {
   return flatten(b.scene);
 }
 
+/// Long and thin in every direction: they cross most cells of their bounds' boxes, or few, depending on who looks.
+inline FlatScene needles(int count) {
+  TestRandom random(37);
+  std::vector<FlatTriangle> triangles;
+  for (int i = 0; i < count; ++i) {
+    Vec3d const p = random.inBox(1), q = random.inBox(1);
+    triangles.push_back({p, q, q + random.inBox(1e-5)});
+  }
+  return flatten(SceneBuilder().mesh(triangles).scene);
+}
+
+/// One slanted triangle many times over.
+inline FlatScene coincidentTriangles(int count) {
+  FlatTriangle const triangle{{0, 0, 0}, {1, 0.25, 0.5}, {0.125, 1, 0.75}};
+  return flatten(SceneBuilder().mesh(std::vector<FlatTriangle>(std::size_t(count), triangle)).scene);
+}
+
+/// Walls along the axes that lie in one another and share edges, and triangles in the same planes.
+inline FlatScene coplanarWalls() {
+  std::vector<FlatTriangle> triangles;
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) {
+      double const x = 0.1 * i, y = 0.1 * j;
+      triangles.push_back({{x, y, 0}, {x + 0.1, y, 0}, {x, y + 0.1, 0}});
+      triangles.push_back({{x, 0.5, y}, {x + 0.2, 0.5, y}, {x, 0.5, y + 0.2}});
+      triangles.push_back({{0.3, x, y}, {0.3, x + 0.1, y}, {0.3, x, y}});
+    }
+  SceneBuilder b;
+  b.mesh(triangles);
+  for (double s : {0.1, 0.3, 0.3, 0.5}) b.add(ShapeKind::box, scaling({s, s, s}));
+  return flatten(b.scene);
+}
+
+/// All primitives in one point.
+inline FlatScene onePoint(int count, Vec3d p) {
+  return flatten(SceneBuilder().mesh(std::vector<FlatTriangle>(std::size_t(count), {p, p, p})).scene);
+}
+
 /// A sphere as large as the room around small things, which it must not be tested with.
 inline FlatScene insideSphere() {
   TestRandom random(35);
@@ -123,6 +161,11 @@ inline std::vector<GeometryScene> geometryScenes() {
           {"coincident shapes", coincidentShapes()},
           {"degenerate triangles", degenerateTriangles()},
           {"flat shapes", flatShapes()},
+          {"needles", needles(200)},
+          {"coincident triangles", coincidentTriangles(300)},
+          {"coplanar walls", coplanarWalls()},
+          {"one point", onePoint(50, {1, 2, 3})},
+          {"the origin", onePoint(50, {0, 0, 0})},
           {"inside a sphere", insideSphere()},
           {"seen from afar", flatten(far.scene)},
           {"nothing", flatten(SceneBuilder().scene)},
@@ -137,21 +180,28 @@ struct TreeConfig {
 };
 
 inline std::vector<TreeConfig> treeConfigs() {
-  auto const make = [](bool midpoint, int bins, int leafSize, int maxDepth) {
+  auto const make = [](KdSplit split, bool clip, int bins, int leafSize, int maxDepth) {
     KdConfig c;
-    c.midpoint = midpoint;
+    c.split = split;
+    c.clip = clip;
     c.bins = bins;
     c.leafSize = leafSize;
     c.maxDepth = maxDepth;
     return c;
   };
+  constexpr KdSplit sah = KdSplit::sah, sweep = KdSplit::sweep, midpoint = KdSplit::midpoint;
   return {{"SAH", KdConfig{}},
-          {"SAH, 2 bins, leaves of 1, deep", make(false, 2, 1, 40)},
-          {"SAH, 128 bins, leaves of 16", make(false, 128, 16, 0)},
-          {"SAH, one split", make(false, 32, 1, 1)},
-          {"midpoint", make(true, 32, 4, 0)},
-          {"midpoint, leaves of 1, deep", make(true, 32, 1, 40)},
-          {"one leaf", make(false, 32, 1 << 20, 0)}};
+          {"SAH, not clipped", make(sah, false, 32, 4, 0)},
+          {"SAH, 2 bins, leaves of 1, deep", make(sah, true, 2, 1, 40)},
+          {"SAH, 128 bins, leaves of 16, not clipped", make(sah, false, 128, 16, 0)},
+          {"SAH, one split", make(sah, true, 32, 1, 1)},
+          {"sweep", make(sweep, true, 32, 4, 0)},
+          {"sweep, leaves of 1, deep", make(sweep, true, 32, 1, 40)},
+          {"sweep, leaves of 1, not clipped", make(sweep, false, 32, 1, 0)},
+          {"midpoint", make(midpoint, true, 32, 4, 0)},
+          {"midpoint, not clipped", make(midpoint, false, 32, 4, 0)},
+          {"midpoint, leaves of 1, deep", make(midpoint, true, 32, 1, 40)},
+          {"one leaf", make(sah, true, 32, 1 << 20, 0)}};
 }
 
 /// A point of the primitive's surface.

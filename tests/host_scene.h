@@ -1,8 +1,11 @@
 #pragma once
 // Scenes made in code, and their flat form on the CPU as kernels see it.
 
+#include <map>
+#include <string>
 #include <utility>
 
+#include "accel/bvh_build.h"
 #include "accel/kd_build.h"
 #include "render/backend/cpu_backend.h"
 #include "render/scene/transform.h"
@@ -33,9 +36,14 @@ class SceneBuilder {
       for (Vec3d p : {t.a, t.b, t.c}) mesh.positions.push_back(p);
       mesh.triangles.push_back({first, first + 1, first + 2});
     }
-    add(ShapeKind::mesh, toWorld);
-    scene.shapes.back().mesh = int(scene.meshes.size());
     scene.meshes.push_back(mesh);
+    return place(int(scene.meshes.size()) - 1, toWorld);
+  }
+
+  /// One more of a mesh that is there.
+  SceneBuilder& place(int mesh, const Mat4d& toWorld) {
+    add(ShapeKind::mesh, toWorld);
+    scene.shapes.back().mesh = mesh;
     return *this;
   }
 
@@ -45,27 +53,48 @@ class SceneBuilder {
   }
 };
 
-/// A flat scene on the CPU, with a tree where a configuration is given.
+/// A flat scene on the CPU, with a structure where a configuration is given, over each mesh kept once too.
 class HostScene {
  public:
   explicit HostScene(const FlatScene& flat) : HostScene(prepared(flat)) {}
-  HostScene(const FlatScene& flat, const KdConfig& config) : HostScene(prepared(flat, &config)) {}
+  HostScene(const FlatScene& flat, const KdConfig& config, bool shortStack = false)
+      : HostScene(withTrees(flat, config, shortStack)) {}
+  HostScene(const FlatScene& flat, const BvhConfig& config) : HostScene(withHierarchies(flat, config)) {}
 
   const cpu::SceneView& view() const { return device_.view; }
   const FlatScene& flat() const { return *prepared_.flat; }
   const KdTree& tree() const { return *prepared_.tree; }
+  const Bvh<2>& bvh() const { return *prepared_.bvh; }
+  const Prepared& parts() const { return prepared_; }
+  const std::map<std::string, std::uint64_t>& bytes() const { return backend_.ledger().bytes(); }
 
  private:
   explicit HostScene(Prepared p) : prepared_(std::move(p)), backend_(BackendChoice{}), device_(backend_, prepared_) {}
 
-  static Prepared prepared(const FlatScene& flat, const KdConfig* config = nullptr) {
+  static Prepared prepared(const FlatScene& flat) {
     Prepared p;
     p.flat = std::make_shared<FlatScene>(flat);
-    p.features = feature::all & ~feature::tree;
-    if (config) {
-      p.features |= feature::tree;
-      p.tree = std::make_shared<KdTree>(buildKdTree(flat, *config));
-    }
+    p.features = feature::all & ~(feature::tree | feature::shortStack | feature::bvh);
+    return p;
+  }
+
+  static Prepared withTrees(const FlatScene& flat, const KdConfig& config, bool shortStack) {
+    Prepared p = prepared(flat);
+    p.features |= feature::tree | (shortStack ? feature::shortStack : 0);
+    p.tree = std::make_shared<KdTree>(buildKdTree(flat, config));
+    std::vector<KdTree> meshes;
+    for (const auto& mesh : flat.meshes) meshes.push_back(buildKdTree(*mesh, config));
+    p.meshTrees = std::make_shared<std::vector<KdTree>>(std::move(meshes));
+    return p;
+  }
+
+  static Prepared withHierarchies(const FlatScene& flat, const BvhConfig& config) {
+    Prepared p = prepared(flat);
+    p.features |= feature::bvh;
+    p.bvh = std::make_shared<Bvh<2>>(buildBvh(flat, config));
+    std::vector<Bvh<2>> meshes;
+    for (const auto& mesh : flat.meshes) meshes.push_back(buildBvh(*mesh, config));
+    p.meshBvhs = std::make_shared<std::vector<Bvh<2>>>(std::move(meshes));
     return p;
   }
 

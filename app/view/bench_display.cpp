@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "app/bench.h"
+#include "app/bench_stats.h"
 #include "app/scene_path.h"
 #include "app/view/panel.h"
 #include "app/view/picture.h"
@@ -39,27 +40,29 @@ double showFrame(Renderer& renderer, Picture& picture, const Size& size, const V
   return estimates[estimateA].presentSeconds + secondsSince(start);
 }
 
-BenchRow measure(Renderer& renderer, const Size& size, int gpu, bool interop, int repeat) {
+void measure(Renderer& renderer, const Size& size, int gpu, bool interop, const std::string& scene, int repeat,
+             BenchResult& result) {
   Picture picture(gpu, interop);
   ViewState const state;
   for (int i = 0; i < warmUp; ++i) showFrame(renderer, picture, size, state);
-  BenchRow row;
-  for (int i = 0; i < repeat; ++i) row.seconds.push_back(showFrame(renderer, picture, size, state));
-  row.bench = "display";
-  row.timed = picture.describePath().substr(0, picture.describePath().find(':'));
+  std::vector<double> seconds;
+  for (int i = 0; i < repeat; ++i) seconds.push_back(showFrame(renderer, picture, size, state));
   DisplayTimes const times = picture.times();
-  row.stats = renderer.status(estimateA).stats;
-  row.stats.stageSeconds = {{"resolve", renderer.status(estimateA).presentSeconds * double(row.stats.iterations)},
-                            {"upload, GPU", times.upload * 1e-3 * double(row.stats.iterations)},
-                            {"draw, GPU", times.draw * 1e-3 * double(row.stats.iterations)},
-                            {"both, CPU", times.cpu * 1e-3 * double(row.stats.iterations)}};
-  row.settings = row.stats.settings;
-  return row;
+  Stats stats = renderer.status(estimateA).stats;
+  double const iterations = double(stats.iterations);
+  stats.stageSeconds = {{"resolve", renderer.status(estimateA).presentSeconds * iterations},
+                        {"upload, GPU", times.upload * 1e-3 * iterations},
+                        {"draw, GPU", times.draw * 1e-3 * iterations},
+                        {"both, CPU", times.cpu * 1e-3 * iterations}};
+  std::string const way = picture.describePath().substr(0, picture.describePath().find(':'));
+  result.tables.front().rows.push_back(statsRow(way, scene, stats, std::move(seconds)));
+  result.tables.front().remarks.push_back(fmt::format("parts of {}, ms: {}", way, stagesText(stats)));
+  result.device = stats.device;
 }
 
 }  // namespace
 
-std::vector<BenchRow> benchDisplay(const BenchOptions& options) {
+BenchResult benchDisplay(const BenchOptions& options) {
   Settings settings = options.scene.settings;
   if (settings.width == 0) settings.width = defaultSize.width;
   if (settings.height == 0) settings.height = defaultSize.height;
@@ -72,13 +75,14 @@ std::vector<BenchRow> benchDisplay(const BenchOptions& options) {
   Renderer renderer(options.scene.backend, true);
   renderer.setSettings(estimateA, settings);
   renderer.setScene(scene, scene->camera);
-  std::vector<BenchRow> rows;
+  BenchResult result =
+      startResult("display", "", options, fmt::format("{} × {} pixels", settings.width, settings.height));
+  result.tables = {{"showing a frame", "first radius", {}, {}}};
   for (bool const interop : {true, false}) {
     if (interop && gpu < 0) continue;  // there is nothing to share
-    rows.push_back(measure(renderer, window.framebufferSize(), gpu, interop, options.repeat));
-    rows.back().scene = scene->file;
+    measure(renderer, window.framebufferSize(), gpu, interop, scene->file, options.repeat, result);
   }
-  return rows;
+  return result;
 }
 
 }  // namespace ropelight

@@ -24,6 +24,9 @@ namespace ropelight::RL_TARGET {
 
 class Backend {
  public:
+  /// Items that one call of a stage should take where neighbours share work.
+  static constexpr std::uint32_t batch = 1024;
+
   /// Memory of `size` elements under a purpose in the ledger; contents are undefined until written.
   template <class T>
   class Buffer {
@@ -49,6 +52,12 @@ class Backend {
       if (data_) ledger_->freed(purpose_, size_ * sizeof(T));
       data_.reset();
       size_ = 0;
+    }
+    void swap(Buffer& other) {
+      std::swap(data_, other.data_);
+      std::swap(size_, other.size_);
+      std::swap(ledger_, other.ledger_);
+      std::swap(purpose_, other.purpose_);
     }
     std::size_t size() const { return size_; }
     Span<T> span() const { return {data_.get(), std::uint32_t(size_)}; }
@@ -101,6 +110,18 @@ class Backend {
     end(Stage::name, start);
   }
 
+  /// Calls stage(i, shared, tally); a CPU's caches need no copy of stage.shared.
+  template <class Stage>
+  void forEachShared(std::uint32_t n, const Stage& stage) {
+    forEach(n, Shared<Stage>{stage});
+  }
+
+  /// Runs a stage element by element: stage.begin(i, lane), then stage.step(lane, stack) as long as it returns true.
+  template <class Stage>
+  void forEachRefilled(std::uint32_t n, const Stage& stage) {
+    forEach(n, Refilled<Stage>{stage});
+  }
+
   /// out[i] = in[0] + … + in[i−1]; the sum of all goes to out[n].
   template <class T>
   void exclusiveScan(const Buffer<T>& in, Buffer<T>& out, std::uint32_t n) {
@@ -118,16 +139,30 @@ class Backend {
     end("Scan", start);
   }
 
-  /// Sorts pairs by the low `bits` of their keys, stable. keys and values hold the result; the others are scratch.
+  /// Sorts pairs by the low `bits` of their keys, stable. keys and values hold the result; the others are scratch, of
+  /// the same size, and may trade places with them.
   void sortPairs(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, Buffer<std::uint32_t>& keyScratch,
                  Buffer<std::uint32_t>& valueScratch, std::uint32_t n, int bits) {
     if (interrupted()) return;
     auto const start = begin("Sort");
+    bool traded = false;
     arena_.execute([&] {
-      radixSortPairs(keys.span().data, values.span().data, keyScratch.span().data, valueScratch.span().data, n, bits,
-                     threads());
+      traded = radixSortPairsAside(keys.span().data, values.span().data, keyScratch.span().data,
+                                   valueScratch.span().data, n, bits, threads());
     });
+    if (traded) {
+      keys.swap(keyScratch);
+      values.swap(valueScratch);
+    }
     end("Sort", start);
+  }
+
+  /// Wall-clock seconds of `work`.
+  template <class Work>
+  double timed(Work&& work) {
+    auto const start = Clock::now();
+    work();
+    return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
   void synchronize() {}
@@ -154,6 +189,30 @@ class Backend {
   void clearTallies() { tallies_.clear(); }
 
  private:
+  template <class Stage>
+  struct Shared {
+    static constexpr const char* name = Stage::name;
+    static constexpr std::uint32_t grain = Stage::grain;
+    const Stage& stage;
+
+    void operator()(std::uint32_t i, Tally& tally) const { stage(i, stage.shared.data, tally); }
+  };
+
+  template <class Stage>
+  struct Refilled {
+    static constexpr const char* name = Stage::name;
+    static constexpr std::uint32_t grain = Stage::grain;
+    const Stage& stage;
+
+    void operator()(std::uint32_t i, Tally&) const {
+      typename Stage::Lane lane;
+      typename Stage::Stack stack;
+      stage.begin(i, lane);
+      while (stage.step(lane, stack)) {
+      }
+    }
+  };
+
   using Clock = std::chrono::steady_clock;
 
   Clock::time_point begin(const char* stage) {

@@ -19,6 +19,7 @@ Backend::Backend(const BackendChoice& choice) {
   RL_CUDA(cudaEventCreate(&after_));
   timed_ = choice.stageTimes;
   totals_.allocate(*this, "counters", 1);
+  next_.allocate(*this, "counters", 1);
   clearTallies();
 }
 
@@ -41,11 +42,8 @@ void Backend::sortPairs(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& valu
   std::size_t bytes = 0;
   RL_CUDA(cub::DeviceRadixSort::SortPairs(nullptr, bytes, k, v, n, 0, bits, stream_));
   RL_CUDA(cub::DeviceRadixSort::SortPairs(scratch(bytes), bytes, k, v, n, 0, bits, stream_));
-  std::size_t const size = std::size_t(n) * sizeof(std::uint32_t);
-  if (k.Current() != keys.span().data)
-    RL_CUDA(cudaMemcpyAsync(keys.span().data, k.Current(), size, cudaMemcpyDeviceToDevice, stream_));
-  if (v.Current() != values.span().data)
-    RL_CUDA(cudaMemcpyAsync(values.span().data, v.Current(), size, cudaMemcpyDeviceToDevice, stream_));
+  if (k.Current() != keys.span().data) keys.swap(keyScratch);
+  if (v.Current() != values.span().data) values.swap(valueScratch);
 }
 
 void* Backend::scratch(std::size_t bytes) {
@@ -54,6 +52,23 @@ void* Backend::scratch(std::size_t bytes) {
     scratch_.allocate(*this, "scan and sort", bytes + bytes / 4 + 256);
   }
   return scratch_.span().data;
+}
+
+cudaEvent_t Backend::mark() const {
+  cudaEvent_t event;
+  RL_CUDA(cudaEventCreate(&event));
+  RL_CUDA(cudaEventRecord(event, stream_));
+  return event;
+}
+
+double Backend::secondsSince(cudaEvent_t start) const {
+  cudaEvent_t const stop = mark();
+  RL_CUDA(cudaEventSynchronize(stop));
+  float milliseconds = 0;
+  RL_CUDA(cudaEventElapsedTime(&milliseconds, start, stop));
+  cudaEventDestroy(start);
+  cudaEventDestroy(stop);
+  return milliseconds * 1e-3;
 }
 
 Backend::Timer::Timer(Backend& backend, const char* stage) : backend_(backend), stage_(stage) {

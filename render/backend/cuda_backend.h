@@ -4,7 +4,10 @@
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 
+#include <algorithm>
 #include <atomic>
+#include <type_traits>
+#include <utility>
 
 #include "render/backend/cuda_check.h"
 #include "render/backend/ledger.h"
@@ -50,8 +53,55 @@ __global__ void runStage(std::uint32_t n, Stage stage, TallyTotals* totals) {
   addToTotals(totals, tally);
 }
 
+/// As runStage, with what stage.shared spans copied into shared memory first.
+template <class Stage>
+__global__ void runShared(std::uint32_t n, Stage stage, TallyTotals* totals) {
+  using Element = std::remove_const_t<std::remove_pointer_t<decltype(stage.shared.data)>>;
+  extern __shared__ __align__(16) unsigned char sharedBytes[];
+  Element* const shared = reinterpret_cast<Element*>(sharedBytes);
+  for (std::uint32_t k = threadIdx.x; k < stage.shared.size; k += blockDim.x) shared[k] = stage.shared[k];
+  __syncthreads();
+  Tally tally;
+  std::uint32_t const stride = gridDim.x * blockDim.x;
+  for (std::uint32_t i = blockIdx.x * blockDim.x + threadIdx.x; i < n; i += stride) stage(i, shared, tally);
+  addToTotals(totals, tally);
+}
+
+/// Below so many busy lanes a warp fetches new work (Aila & Laine 2009, "Understanding the Efficiency of Ray Traversal
+/// on GPUs").
+inline constexpr int refillBelow = 24;
+
+/// Warps that live until all work is done: whenever too many lanes are idle, those take the next elements.
+template <class Stage>
+__global__ void __launch_bounds__(128) runRefilled(std::uint32_t n, Stage stage, std::uint32_t* next) {
+  typename Stage::Lane lane;
+  typename Stage::Stack stack;
+  bool busy = false, exhausted = false;
+  for (;;) {
+    unsigned const idle = __ballot_sync(0xFFFFFFFFu, !busy);
+    if (!exhausted && __popc(idle) > 32 - refillBelow) {
+      std::uint32_t first = 0;
+      if ((threadIdx.x & 31) == 0) first = atomicAdd(next, std::uint32_t(__popc(idle)));
+      first = __shfl_sync(0xFFFFFFFFu, first, 0);
+      exhausted = first + std::uint32_t(__popc(idle)) >= n;
+      std::uint32_t const i = first + std::uint32_t(__popc(idle & ((1u << (threadIdx.x & 31)) - 1)));
+      if (!busy && i < n) {
+        stage.begin(i, lane);
+        busy = true;
+      }
+    } else if (idle == 0xFFFFFFFFu) {
+      return;
+    }
+    if (busy) busy = stage.step(lane, stack);
+    __syncwarp();
+  }
+}
+
 class Backend {
  public:
+  /// Items that one call of a stage should take where neighbours share work.
+  static constexpr std::uint32_t batch = 4;
+
   /// Device memory of `size` elements under a purpose in the ledger; contents are undefined until written.
   template <class T>
   class Buffer {
@@ -83,6 +133,12 @@ class Backend {
       ledger_->freed(purpose_, size_ * sizeof(T));
       data_ = nullptr;
       size_ = 0;
+    }
+    void swap(Buffer& other) {
+      std::swap(data_, other.data_);
+      std::swap(size_, other.size_);
+      std::swap(ledger_, other.ledger_);
+      std::swap(purpose_, other.purpose_);
     }
     std::size_t size() const { return size_; }
     Span<T> span() const { return {data_, std::uint32_t(size_)}; }
@@ -131,6 +187,32 @@ class Backend {
     RL_CUDA(cudaGetLastError());
   }
 
+  /// Calls stage(i, shared, tally), where shared points to a copy of stage.shared in shared memory.
+  template <class Stage>
+  void forEachShared(std::uint32_t n, const Stage& stage) {
+    if (n == 0 || interrupted()) return;
+    ledger_.launched(Stage::name);
+    Timer const timer(*this, Stage::name);
+    constexpr int threads = 128;
+    std::size_t const bytes = stage.shared.size * sizeof(*stage.shared.data);
+    int const blocks = int((std::uint64_t(n) + threads - 1) / threads);
+    runShared<<<std::min(blocks, residentBlocks(runShared<Stage>, threads, bytes)), threads, bytes, stream_>>>(
+        n, stage, totals_.span().data);
+    RL_CUDA(cudaGetLastError());
+  }
+
+  /// Runs a stage whose elements take steps of uneven number: stage.begin(i, lane), then stage.step(lane, stack) as
+  /// long as it returns true.
+  template <class Stage>
+  void forEachRefilled(std::uint32_t n, const Stage& stage) {
+    if (n == 0 || interrupted()) return;
+    ledger_.launched(Stage::name);
+    Timer const timer(*this, Stage::name);
+    RL_CUDA(cudaMemsetAsync(next_.span().data, 0, sizeof(std::uint32_t), stream_));
+    runRefilled<<<residentBlocks(runRefilled<Stage>, 128, 0), 128, 0, stream_>>>(n, stage, next_.span().data);
+    RL_CUDA(cudaGetLastError());
+  }
+
   /// out[i] = in[0] + … + in[i−1]; the sum of all goes to out[n]. `in` has room for n elements, out for n + 1.
   template <class T>
   void exclusiveScan(const Buffer<T>& in, Buffer<T>& out, std::uint32_t n) {
@@ -144,9 +226,18 @@ class Backend {
         cub::DeviceScan::InclusiveScan(scratch(bytes), bytes, in.view().data, out.span().data + 1, Plus{}, n, stream_));
   }
 
-  /// Sorts pairs by the low `bits` of their keys, stable. keys and values hold the result; the others are scratch.
+  /// Sorts pairs by the low `bits` of their keys, stable. keys and values hold the result; the others are scratch, of
+  /// the same size, and may trade places with them.
   void sortPairs(Buffer<std::uint32_t>& keys, Buffer<std::uint32_t>& values, Buffer<std::uint32_t>& keyScratch,
                  Buffer<std::uint32_t>& valueScratch, std::uint32_t n, int bits);
+
+  /// Device seconds from the first stage that `work` queues to the end of the last.
+  template <class Work>
+  double timed(Work&& work) {
+    cudaEvent_t const start = mark();
+    work();
+    return secondsSince(start);
+  }
 
   void synchronize() const { RL_CUDA(cudaStreamSynchronize(stream_)); }
 
@@ -191,6 +282,17 @@ class Backend {
   };
 
   void* scratch(std::size_t bytes);
+  cudaEvent_t mark() const;
+  double secondsSince(cudaEvent_t start) const;
+
+  /// Blocks that fill the device.
+  template <class Kernel>
+  int residentBlocks(Kernel* kernel, int threads, std::size_t sharedBytes) const {
+    int each = 0, processors = 0;
+    RL_CUDA(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&each, kernel, threads, sharedBytes));
+    RL_CUDA(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device_.index));
+    return std::max(1, each) * processors;
+  }
 
   Ledger ledger_;
   DeviceInfo device_;
@@ -199,6 +301,7 @@ class Backend {
   bool timed_ = false;
   std::atomic<bool> interrupted_ = false;
   Buffer<TallyTotals> totals_;
+  Buffer<std::uint32_t> next_;  ///< element that a warp takes next
   Buffer<unsigned char> scratch_;
 };
 

@@ -43,19 +43,26 @@ void pass(const std::uint32_t* keys, const std::uint32_t* values, std::uint32_t*
 
 }  // namespace
 
-void radixSortPairs(std::uint32_t* keys, std::uint32_t* values, std::uint32_t* keyScratch, std::uint32_t* valueScratch,
-                    std::uint32_t n, int bits, int threads) {
-  if (n == 0) return;
-  std::uint32_t* const result[2] = {keys, values};
+bool radixSortPairsAside(std::uint32_t* keys, std::uint32_t* values, std::uint32_t* keyScratch,
+                         std::uint32_t* valueScratch, std::uint32_t n, int bits, int threads) {
+  if (n == 0) return false;
   std::vector<Histogram> histograms(std::size_t(std::clamp(threads, 1, 64)));
-  for (int shift = 0; shift < bits; shift += digitBits) {
-    pass(keys, values, keyScratch, valueScratch, n, shift, std::min(digitBits, bits - shift), histograms);
+  int const passes = (bits + digitBits - 1) / digitBits;
+  for (int done = 0, shift = 0; done < passes; ++done) {
+    int const width = (bits - shift + passes - done - 1) / (passes - done);  // digits of equal width
+    pass(keys, values, keyScratch, valueScratch, n, shift, width, histograms);
+    shift += width;
     std::swap(keys, keyScratch);
     std::swap(values, valueScratch);
   }
-  if (keys == result[0]) return;
-  std::memcpy(result[0], keys, std::size_t(n) * sizeof(std::uint32_t));
-  std::memcpy(result[1], values, std::size_t(n) * sizeof(std::uint32_t));
+  return passes % 2 == 1;
+}
+
+void radixSortPairs(std::uint32_t* keys, std::uint32_t* values, std::uint32_t* keyScratch, std::uint32_t* valueScratch,
+                    std::uint32_t n, int bits, int threads) {
+  if (!radixSortPairsAside(keys, values, keyScratch, valueScratch, n, bits, threads)) return;
+  std::memcpy(keys, keyScratch, std::size_t(n) * sizeof(std::uint32_t));
+  std::memcpy(values, valueScratch, std::size_t(n) * sizeof(std::uint32_t));
 }
 
 }  // namespace ropelight

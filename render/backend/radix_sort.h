@@ -10,4 +10,8 @@ namespace ropelight {
 void radixSortPairs(std::uint32_t* keys, std::uint32_t* values, std::uint32_t* keyScratch, std::uint32_t* valueScratch,
                     std::uint32_t n, int bits, int threads);
 
+/// The same, but spares the last copy: true where the result was left in the scratch arrays.
+bool radixSortPairsAside(std::uint32_t* keys, std::uint32_t* values, std::uint32_t* keyScratch,
+                         std::uint32_t* valueScratch, std::uint32_t n, int bits, int threads);
+
 }  // namespace ropelight

@@ -11,15 +11,18 @@ namespace feature {
 inline constexpr FeatureBits quads = 1u << 0;
 inline constexpr FeatureBits spheres = 1u << 1;
 inline constexpr FeatureBits triangles = 1u << 2;
-inline constexpr FeatureBits tree = 1u << 3;     ///< kd-tree; without it every primitive is tested
+inline constexpr FeatureBits tree = 1u << 3;     ///< kd-tree
 inline constexpr FeatureBits diffuse = 1u << 4;  ///< a surface that photons can be stored on
 inline constexpr FeatureBits mirror = 1u << 5;
 inline constexpr FeatureBits dielectric = 1u << 6;
 inline constexpr FeatureBits lens = 1u << 7;  ///< thin lens: two more sample dimensions
 inline constexpr FeatureBits lights = 1u << 8;
-inline constexpr FeatureBits photons = 1u << 9;   ///< photon pass, grid and gather
-inline constexpr FeatureBits nearest = 1u << 10;  ///< k-nearest gather
-inline constexpr FeatureBits all = (1u << 11) - 1;
+inline constexpr FeatureBits photons = 1u << 9;      ///< photon pass, grid and gather
+inline constexpr FeatureBits nearest = 1u << 10;     ///< k-nearest gather
+inline constexpr FeatureBits bvh = 1u << 11;         ///< bounding-volume hierarchy
+inline constexpr FeatureBits shortStack = 1u << 12;  ///< the kd-tree is traversed with a short stack, not by ropes
+inline constexpr FeatureBits instances = 1u << 13;   ///< meshes that are kept once and placed more often
+inline constexpr FeatureBits all = (1u << 14) - 1;
 }  // namespace feature
 
 struct FeatureName {
@@ -33,7 +36,10 @@ inline constexpr FeatureName featureNames[] = {
     {feature::quads, "quads", "quads and box faces"},
     {feature::spheres, "spheres", "spheres and ellipsoids"},
     {feature::triangles, "triangles", "triangle meshes"},
-    {feature::tree, "tree", "kd-tree with ropes"},
+    {feature::instances, "instances", "meshes kept once and placed more often"},
+    {feature::tree, "tree", "kd-tree"},
+    {feature::shortStack, "short-stack", "short stack for the kd-tree"},
+    {feature::bvh, "bvh", "bounding-volume hierarchy"},
     {feature::diffuse, "diffuse", "diffuse surfaces"},
     {feature::mirror, "mirror", "mirrors"},
     {feature::dielectric, "dielectric", "smooth dielectrics"},

@@ -6,12 +6,15 @@
 #if defined(__CUDACC__)
 #define RL_HD __host__ __device__
 #define RL_TARGET cuda
+#define RL_CUDA_TARGET 1
 #elif defined(ROPELIGHT_DOUBLE)
 #define RL_HD
 #define RL_TARGET cpu64
+#define RL_CUDA_TARGET 0
 #else
 #define RL_HD
 #define RL_TARGET cpu
+#define RL_CUDA_TARGET 0
 #endif
 
 #if defined(__CUDA_ARCH__)

@@ -111,6 +111,13 @@ class IntegratorBase : public Integrator {
     s.features = prepared_.features;
     s.device = backend_.device().name;
     s.settings = prepared_.settings;
+    if (const Bvh<2>* bvh = prepared_.bvh.get()) {
+      s.treeNodes = bvh->nodes.size();
+      s.treeLeaves = bvh->stats.leaves;
+      s.treeDepth = bvh->stats.depth;
+      s.treeSeconds = bvh->stats.seconds;
+      s.treeCost = bvh->stats.sahCost;
+    }
     if (const KdTree* tree = prepared_.tree.get()) {
       s.treeNodes = tree->nodes.size();
       s.treeLeaves = tree->leaves.size();

@@ -2,10 +2,9 @@
 // The photons of one chunk: traced, stored, sorted into the grid.
 
 #include <algorithm>
-#include <bit>
 
 #include "render/integrator/base.h"
-#include "render/integrator/stages/bin_photons.h"
+#include "render/integrator/photon_bins.h"
 #include "render/integrator/stages/trace_photons.h"
 
 namespace ropelight::RL_TARGET {
@@ -19,7 +18,7 @@ struct PhotonPlan {
   std::uint32_t tailCapacity = 0;
   std::uint32_t tableSize = 0;  ///< cells of the grid, a power of two
 
-  static constexpr std::uint64_t slotBytes = sizeof(PhotonPosition) + sizeof(PhotonPower);
+  static constexpr std::uint64_t slotBytes = sizeof(Photon);
 
   /// Slots of stripes and tails; numbered in 32 bits.
   std::uint64_t slots() const { return std::uint64_t(paths) * stripe + tailCapacity; }
@@ -41,8 +40,7 @@ inline PhotonPlan planPhotons(std::uint64_t photons, std::uint64_t budget, doubl
     auto const room = [&](double each) { return std::uint32_t(std::min(4.0e9, double(paths) * each * 1.15 + 1024)); };
     plan.photonCapacity = room(perPath);
     plan.tailCapacity = room(tailPerPath);
-    plan.tableSize =
-        std::uint32_t(std::bit_ceil(std::clamp<std::uint64_t>(2ull * plan.photonCapacity, 1u << 16, 1u << 26)));
+    plan.tableSize = tableFor(plan.photonCapacity);
     bool const numbered = plan.slots() < (1ull << 31) && plan.photonCapacity < (1u << 31);
     if ((plan.bytes() <= budget && numbered) || paths <= 1024) return plan;
   }
@@ -58,22 +56,18 @@ class PhotonMap {
   void allocate(Backend& backend, const PhotonPlan& plan) {
     plan_ = plan;
     std::size_t const slots = std::size_t(plan.paths) * plan.stripe + plan.tailCapacity;
-    slotPositions_.allocate(backend, "photons", slots);
-    slotPowers_.allocate(backend, "photons", slots);
-    positions_.allocate(backend, "photons", plan.photonCapacity);
-    powers_.allocate(backend, "photons", plan.photonCapacity);
+    slots_.allocate(backend, "photons", slots);
     counts_.allocate(backend, "photon paths", plan.paths);
     offsets_.allocate(backend, "photon paths", std::size_t(plan.paths) + 1);
     longPaths_.allocate(backend, "photon paths", plan.paths);
-    for (auto* b : {&keys_, &slots_, &keyScratch_, &slotScratch_}) b->allocate(backend, "grid", plan.photonCapacity);
-    starts_.allocate(backend, "grid", std::size_t(plan.tableSize) + 1);
+    bins_.allocate(backend, plan.photonCapacity, plan.tableSize);
   }
 
   void release() {
-    for (auto* b : {&slotPositions_, &positions_}) b->release();
-    for (auto* b : {&slotPowers_, &powers_}) b->release();
+    slots_.release();
     for (auto* b : {&counts_, &offsets_}) b->release();
-    for (auto* b : {&longPaths_, &keys_, &slots_, &keyScratch_, &slotScratch_, &starts_}) b->release();
+    longPaths_.release();
+    bins_.release();
   }
 
   /// Traces paths [first, first + count) and leaves them in grid().
@@ -86,15 +80,13 @@ class PhotonMap {
     backend.forEach(1, CheckRoom{store});
     std::uint32_t const tails = std::min(count, plan_.tailCapacity);
     backend.forEach(tails, TraceTails<F>{frame, store, first, pathsPerIteration});
-    layOut(scene, cellSize);
-    backend.forEach(count, WriteKeys{store, grid_});
-    backend.forEach(plan_.photonCapacity, PadKeys{store, grid_.cells});
-    backend.sortPairs(keys_, slots_, keyScratch_, slotScratch_, plan_.photonCapacity, std::bit_width(grid_.cells));
-    backend.forEach(plan_.photonCapacity + 1,
-                    OrderPhotons{store, grid_.cells, starts_.span(), positions_.span(), powers_.span()});
+    bins_.layOut(scene.bounds, double(cellSize), plan_.tableSize);
+    backend.forEach(count, WriteKeys{store, grid()});
+    backend.forEach(plan_.photonCapacity, PadKeys{store, grid().cells});
+    bins_.sort(backend, slots_.view(), state.view());
   }
 
-  const PhotonGrid& grid() const { return grid_; }
+  const PhotonGrid& grid() const { return bins_.grid(); }
   const PhotonPlan& plan() const { return plan_; }
 
  private:
@@ -104,41 +96,21 @@ class PhotonMap {
     s.stripe = plan_.stripe;
     s.tailCapacity = plan_.tailCapacity;
     s.photonCapacity = plan_.photonCapacity;
-    s.positions = slotPositions_.span();
-    s.powers = slotPowers_.span();
+    s.photons = slots_.span();
     s.counts = counts_.span();
     s.offsets = offsets_.span();
     s.longPaths = longPaths_.span();
-    s.keys = keys_.span();
-    s.slots = slots_.span();
+    s.keys = bins_.keys();
+    s.slots = bins_.slots();
     s.state = state.span();
     return s;
   }
 
-  /// Dense where every cell of the scene's bounds fits the table, else hashed.
-  void layOut(const FlatScene& scene, Real cellSize) {
-    Vec3d const extent = scene.bounds.extent();
-    double cells = 1;
-    for (int a = 0; a < 3; ++a) {
-      double const n = std::floor(extent[a] / double(cellSize)) + 2;
-      grid_.size[a] = int(std::min(n, 1073741824.0));
-      cells *= n;
-    }
-    grid_.origin = Vec3(scene.bounds.min);
-    grid_.inverseCell = 1 / cellSize;
-    grid_.dense = cells <= double(plan_.tableSize);
-    grid_.cells = grid_.dense ? std::uint32_t(cells) : plan_.tableSize;
-    grid_.starts = starts_.view();
-    grid_.positions = positions_.view();
-    grid_.powers = powers_.view();
-  }
-
   PhotonPlan plan_;
-  PhotonGrid grid_;
-  Buffer<PhotonPosition> slotPositions_, positions_;
-  Buffer<PhotonPower> slotPowers_, powers_;
+  PhotonBins<Backend> bins_;
+  Buffer<Photon> slots_;
   Buffer<DepositCount> counts_, offsets_;
-  Buffer<std::uint32_t> longPaths_, keys_, slots_, keyScratch_, slotScratch_, starts_;
+  Buffer<std::uint32_t> longPaths_;
 };
 
 }  // namespace ropelight::RL_TARGET

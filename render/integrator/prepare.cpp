@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "accel/choice.h"
 #include "render/core/error.h"
 #include "render/integrator/first_radius.h"
 #include "render/integrator/variants.h"
@@ -37,13 +38,20 @@ void resolve(const FilmDesc& film, std::uint32_t primitives, Settings& s) {
   if (s.treeDepth == 0) s.treeDepth = automaticTreeDepth(primitives);
 }
 
-/// All but the tree and the first radius.
+/// The setting that asks for what the features say.
+const char* accelName(FeatureBits features) {
+  if (features & feature::shortStack) return "short-stack";
+  if (features & feature::tree) return "tree";
+  return (features & feature::bvh) ? "bvh" : "brute";
+}
+
+/// All but the structure and the first radius.
 void resolveAll(Prepared& p, const Settings& requested) {
   checkChoices(requested);
   p.requested = p.settings = requested;
   resolve(p.film, p.flat->primitiveCount(), p.settings);
   p.features = featuresOf(*p.flat, p.camera, p.settings);
-  p.settings.accel = (p.features & feature::tree) ? "tree" : "brute";
+  p.settings.accel = accelName(p.features);
 }
 
 void resolveRadius(Prepared& p) {
@@ -52,18 +60,37 @@ void resolveRadius(Prepared& p) {
 
 KdConfig treeConfig(const Settings& s) {
   KdConfig config;
-  config.midpoint = s.split == "midpoint";
+  config.split = s.split == "sweep" ? KdSplit::sweep : (s.split == "midpoint" ? KdSplit::midpoint : KdSplit::sah);
   config.bins = s.bins;
   config.leafSize = s.leafSize;
   config.maxDepth = s.treeDepth;
   return config;
 }
 
+/// things: what testing all of them would test.
+FeatureBits structureFor(std::uint32_t things, const Settings& s) {
+  if (things == 0 || s.accel == "brute") return 0;
+  if (s.accel == "tree") return feature::tree;
+  if (s.accel == "short-stack") return feature::tree | feature::shortStack;
+  return s.accel == "bvh" || things > bruteForceLimit ? feature::bvh : 0;
+}
+
+void buildStructures(Prepared& p, SceneCache& cache) {
+  if (p.features & feature::tree) {
+    p.tree = cache.tree(p.flat, treeConfig(p.settings));
+    p.meshTrees = cache.meshTrees(*p.flat, treeConfig(p.requested));  // each mesh has an automatic depth of its own
+  }
+  if (p.features & feature::bvh) {
+    p.bvh = cache.bvh(p.flat, BvhConfig{});
+    p.meshBvhs = cache.meshBvhs(*p.flat, BvhConfig{});
+  }
+}
+
 /// What an integrator was compiled and its scene uploaded for.
 bool sameIntegrator(const Prepared& a, const Prepared& b) {
   return integratorName(a.settings) == integratorName(b.settings) && &rowFor(a.features) == &rowFor(b.features) &&
          a.settings.accel == b.settings.accel &&
-         (a.settings.accel != "tree" || treeConfig(a.settings) == treeConfig(b.settings));
+         (!(a.features & feature::tree) || treeConfig(a.settings) == treeConfig(b.settings));
 }
 
 }  // namespace
@@ -75,8 +102,7 @@ std::string integratorName(const Settings& s) {
 
 FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Settings& s) {
   FeatureBits bits = featuresOf(flat, camera);
-  bool const tree = s.accel == "tree" || (s.accel == "auto" && flat.primitiveCount() > bruteForceLimit);
-  if (tree && flat.primitiveCount() > 0) bits |= feature::tree;
+  bits |= structureFor(flat.hitCount(), s);
   bool const sppm = integratorName(s) == "sppm";
   if (sppm && (bits & feature::lights) && (bits & feature::diffuse)) bits |= feature::photons;
   if ((bits & feature::photons) && s.gather == "nearest") bits |= feature::nearest;
@@ -90,7 +116,7 @@ Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoi
   p.film = scene.film;
   p.backend = backend;
   resolveAll(p, settings);
-  if (p.features & feature::tree) p.tree = cache.tree(p.flat, treeConfig(p.settings));
+  buildStructures(p, cache);
   resolveRadius(p);
   return p;
 }

@@ -7,9 +7,6 @@
 
 namespace ropelight {
 
-/// Up to this many primitives testing all of them is faster than a tree (provisional: docs/decisions.md).
-inline constexpr std::uint32_t bruteForceLimit = 24;
-
 struct Prepared {
   std::shared_ptr<const FlatScene> flat;
   CameraDesc camera;
@@ -17,7 +14,10 @@ struct Prepared {
   Settings requested;  ///< as given
   Settings settings;   ///< resolved: no zero that means 'automatic' is left
   FeatureBits features = 0;
-  std::shared_ptr<const KdTree> tree;  ///< null without feature::tree
+  std::shared_ptr<const KdTree> tree;                    ///< null without feature::tree
+  std::shared_ptr<const Bvh<2>> bvh;                     ///< null without feature::bvh
+  std::shared_ptr<const std::vector<KdTree>> meshTrees;  ///< one a mesh that is kept once; null without feature::tree
+  std::shared_ptr<const std::vector<Bvh<2>>> meshBvhs;   ///< likewise without feature::bvh
   BackendChoice backend;
 };
 

@@ -14,8 +14,8 @@ struct Settings {
   std::string aov = "radiance";    ///< what the film holds; see the list below
   std::string direct = "shadow";   ///< shadow: shadow rays; photons: the photons carry direct light too
   std::string gather = "radius";   ///< radius or nearest
-  std::string accel = "auto";      ///< auto, tree or brute
-  std::string split = "sah";       ///< kd-tree builder: sah or midpoint
+  std::string accel = "auto";      ///< auto, bvh, tree (kd-tree with ropes), short-stack (kd-tree) or brute
+  std::string split = "sah";       ///< kd-tree builder: sah (binned), sweep (exact) or midpoint
   std::string sampler = "sobol";   ///< sobol or independent
   int width = 0;                   ///< pixels; 0: the scene's film
   int height = 0;                  ///< pixels; 0: the scene's film
@@ -39,8 +39,9 @@ struct Settings {
     using I = ParamInfo;
     v("mode", mode, I{.doc = "ray, path or sppm", .group = "Mode", .choices = "ray|path|sppm"});
     v("aov", aov,
-      I{.doc = "what the film holds: radiance; at the first hit the normal, depth, albedo, traversal (tree cells "
-               "visited and primitives tested) or tests (primitives tested); of the sppm gather photon-count or "
+      I{.doc = "what the film holds: radiance; at the first hit the normal, depth, albedo, traversal (tree "
+               "cells or nodes visited and primitives tested) or tests (primitives tested); of the sppm gather "
+               "photon-count or "
                "gather-radius",
         .group = "Mode",
         .choices = "radiance|normal|depth|albedo|traversal|tests|photon-count|gather-radius"});
@@ -75,7 +76,7 @@ struct Settings {
     v("gather", gather, I{.doc = "photon gather: radius or nearest", .group = "Photons", .choices = "radius|nearest"});
     v("nearest", nearest, I{.doc = "k of the k-nearest gather", .min = 2, .max = 128, .group = "Photons"});
     v("cell-size", cellSize,
-      I{.doc = "edge of a grid cell",
+      I{.doc = "edge of a grid cell; shorter along x, and longer where there is no room for so many",
         .min = 0.25,
         .max = 16,
         .unit = "gather radii",
@@ -90,17 +91,27 @@ struct Settings {
         .high = 16384,
         .zero = "a quarter of the device's"});
     v("accel", accel,
-      I{.doc = "ray acceleration: auto, tree or brute", .group = "Acceleration", .choices = "auto|tree|brute"});
-    v("split", split, I{.doc = "kd-tree builder: sah or midpoint", .group = "Acceleration", .choices = "sah|midpoint"});
-    v("bins", bins, I{.doc = "SAH bins per axis", .min = 2, .max = 1024, .group = "Acceleration", .logarithmic = true});
+      I{.doc = "ray acceleration: auto, bvh, tree (kd-tree with ropes), short-stack (kd-tree) or brute",
+        .group = "Acceleration",
+        .choices = "auto|bvh|tree|short-stack|brute"});
+    v("split", split,
+      I{.doc = "kd-tree builder: sah (binned), sweep (exact SAH) or midpoint",
+        .group = "Acceleration",
+        .choices = "sah|sweep|midpoint"});
+    v("bins", bins,
+      I{.doc = "SAH bins per axis of the kd-tree",
+        .min = 2,
+        .max = 1024,
+        .group = "Acceleration",
+        .logarithmic = true});
     v("leaf-size", leafSize,
-      I{.doc = "primitives below which a node is not split",
+      I{.doc = "primitives below which a node of the kd-tree is not split",
         .min = 1,
         .max = 1024,
         .group = "Acceleration",
         .logarithmic = true});
     v("tree-depth", treeDepth,
-      I{.doc = "deepest tree level; 0: from the primitive count",
+      I{.doc = "deepest level of the kd-tree; 0: from the primitive count",
         .min = 0,
         .max = 64,
         .group = "Acceleration",

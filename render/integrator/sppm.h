@@ -119,12 +119,12 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     Gathered const output = s.aov == "photon-count"    ? Gathered::photonCount
                             : s.aov == "gather-radius" ? Gathered::radius
                                                        : Gathered::radiance;
-    GatherView const view{map_.grid(), radius, s.maxDepth, output};
+    GatherView const view{map_.grid(), radius, s.maxDepth};
     std::uint32_t const n = this->frame_.slots();
     if (this->prepared_.features & feature::nearest)
-      this->backend_.forEach(n, GatherNearest{view, s.nearest, points_.view(), this->radiance_.span()});
+      this->backend_.forEach(n, GatherNearest{view, s.nearest, points_.view(), this->radiance_.span(), output});
     else
-      this->backend_.forEach(n, GatherRadius{view, points_.view(), this->radiance_.span()});
+      this->backend_.forEach(n, GatherRadius{view, points_.view(), this->radiance_.span(), output});
   }
 
   PhotonMap<Backend, F> map_;

@@ -7,7 +7,7 @@
 #include "render/core/features.h"
 
 #define RL_MODES(X) X(ray) X(path) X(sppm) X(aov)
-#define RL_ROWS(X) X(basic) X(full)
+#define RL_ROWS(X) X(basic) X(mesh) X(full)
 
 namespace ropelight {
 
@@ -18,7 +18,10 @@ struct KernelRow {
 
 namespace row {
 /// Boxes, quads and spheres, tested one by one, seen through a pinhole.
-inline constexpr FeatureBits basic = feature::all & ~(feature::triangles | feature::tree | feature::lens);
+inline constexpr FeatureBits basic = feature::all & ~(feature::triangles | feature::instances | feature::tree |
+                                                      feature::shortStack | feature::bvh | feature::lens);
+/// Everything but instances through the bounding-volume hierarchy.
+inline constexpr FeatureBits mesh = feature::all & ~(feature::tree | feature::shortStack | feature::instances);
 inline constexpr FeatureBits full = feature::all;
 }  // namespace row
 

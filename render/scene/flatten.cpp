@@ -1,41 +1,15 @@
 #include "render/scene/flatten.h"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "render/core/error.h"
+#include "render/scene/instances.h"
 
 namespace ropelight {
-
-void Bounds::grow(Vec3d p) {
-  min = glm::min(min, p);
-  max = glm::max(max, p);
-}
-
-void Bounds::grow(const Bounds& b) {
-  min = glm::min(min, b.min);
-  max = glm::max(max, b.max);
-}
-
-void Bounds::clip(const Bounds& b) {
-  min = glm::max(min, b.min);
-  max = glm::min(max, b.max);
-}
-
-double Bounds::area() const {
-  if (empty()) return 0;
-  Vec3d const e = extent();
-  return 2 * (e.x * e.y + e.y * e.z + e.z * e.x);
-}
-
-bool Bounds::overlaps(const Bounds& b) const {
-  for (int a = 0; a < 3; ++a)
-    if (min[a] > b.max[a] || max[a] < b.min[a]) return false;
-  return true;
-}
-
 namespace {
 
 Vec3d apply(const Mat4d& m, Vec3d p) { return Vec3d(m * glm::dvec4(p, 1.0)); }
@@ -47,9 +21,10 @@ double area(const FlatTriangle& t) { return 0.5 * glm::length(glm::cross(t.b - t
 /// Shapes of one kind at a time, so that primitive numbers come out grouped.
 class Flattener {
  public:
-  explicit Flattener(const Scene& scene) : scene_(scene) {}
+  Flattener(const Scene& scene, Instancing instancing) : scene_(scene), instancing_(instancing) {}
 
   FlatScene run() {
+    chooseKept();
     for (const NamedMaterial& m : scene_.materials) out_.materials.push_back(m.desc);
     for (const ShapeDesc& s : scene_.shapes) {
       if (s.kind == ShapeKind::quad) addQuad(s);
@@ -58,7 +33,8 @@ class Flattener {
     for (const ShapeDesc& s : scene_.shapes)
       if (s.kind == ShapeKind::sphere) addSphere(s);
     for (const ShapeDesc& s : scene_.shapes)
-      if (s.kind == ShapeKind::mesh) addMesh(s);
+      if (s.kind == ShapeKind::mesh && !kept(s)) addMesh(s);
+    addInstances();
     finish();
     return std::move(out_);
   }
@@ -128,10 +104,65 @@ class Flattener {
     }
   }
 
+  static bool placeable(const ShapeDesc& s) {
+    Vec3d const growth = roundingGrowth(Mat3d(s.toWorld));
+    return std::max({growth.x, growth.y, growth.z}) <= maxInstanceGrowth;
+  }
+
+  bool kept(const ShapeDesc& s) const { return keep_[std::size_t(s.mesh)] && placeable(s); }
+
+  void chooseKept() {
+    std::vector<std::uint64_t> uses(scene_.meshes.size(), 0);
+    for (const ShapeDesc& s : scene_.shapes)
+      if (s.kind == ShapeKind::mesh && placeable(s)) ++uses[std::size_t(s.mesh)];
+    for (std::size_t m = 0; m < uses.size(); ++m) {
+      std::uint64_t const triangles = scene_.meshes[m].triangles.size();
+      bool const spares = uses[m] > 1 && (uses[m] - 1) * triangles >= leastSpared;
+      keep_.push_back(triangles > 0 && instancing_ != Instancing::never &&
+                      (spares || instancing_ == Instancing::always));
+    }
+  }
+
+  void addInstances() {
+    std::vector<KeptMesh> meshes(scene_.meshes.size());
+    std::vector<std::uint32_t> number(meshes.size());
+    std::vector<const ShapeDesc*> shapes;
+    for (const ShapeDesc& s : scene_.shapes) {
+      if (s.kind != ShapeKind::mesh || !kept(s)) continue;
+      std::size_t const m = std::size_t(s.mesh);
+      if (!meshes[m].scene) {
+        meshes[m] = keepMesh(scene_.meshes[m]);
+        number[m] = std::uint32_t(out_.meshes.size());
+        out_.meshes.push_back(meshes[m].scene);
+      }
+      FlatInstance& instance = out_.instances.emplace_back();
+      instance.mesh = number[m];
+      instance.toWorld = s.toWorld * meshes[m].toGiven;
+      shapes.push_back(&s);
+    }
+    std::vector<double> areas(shapes.size());
+    oneapi::tbb::parallel_for(std::size_t(0), areas.size(), [&](std::size_t i) {
+      areas[i] = placeInstance(*out_.meshes[out_.instances[i].mesh], out_.instances[i]);
+    });
+    for (std::size_t i = 0; i < areas.size(); ++i) add(*shapes[i], areas[i]);
+  }
+
+  void numberHits() {
+    std::uint64_t next = out_.primitiveCount();
+    for (FlatInstance& instance : out_.instances) {
+      instance.firstHit = std::uint32_t(next);
+      next += out_.meshes[instance.mesh]->primitiveCount();
+      if (next >= (std::uint64_t(1) << 32))
+        throw Error(fmt::format("{}: its instances have more than 2^32 triangles together; use fewer", scene_.file));
+    }
+  }
+
   void finish() {
     if (out_.material.size() >= (1u << 30))
       throw Error(fmt::format("{}: {} primitives; at most 2^30 fit", scene_.file, out_.material.size()));
-    for (std::uint32_t i = 0; i < out_.primitiveCount(); ++i) out_.bounds.grow(out_.primitiveBounds(i));
+    numberHits();
+    for (std::uint32_t i = 0; i < out_.primitiveCount(); ++i)
+      out_.bounds.grow(out_.primitiveBounds(i));  // without slack: there is no reach as yet
     out_.reach = reachOf(out_.bounds, scene_.camera.position);
     if (!(out_.reach < 1e15))
       throw Error(fmt::format("{}: the scene spans {:g} units; float arithmetic needs less than 1e15: scale it down",
@@ -139,108 +170,21 @@ class Flattener {
   }
 
   const Scene& scene_;
+  Instancing instancing_;
+  std::vector<bool> keep_;  ///< by mesh of the scene
   FlatScene out_;
 };
 
-/// Distance range of a box from the origin in a sphere's object space, from the images of its corners and its center.
-bool boxMeetsUnitSphere(const FlatSphere& sphere, const Bounds& box) {
-  Mat3d const toObject = glm::inverse(sphere.toWorld);
-  Vec3d const center = toObject * (0.5 * (box.min + box.max) - sphere.center);
-  Vec3d const half = 0.5 * box.extent();
-  double reach = 0, farthest = 0;
-  for (int i = 0; i < 8; ++i) {
-    Vec3d const h = toObject * Vec3d(i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z);
-    reach = std::max(reach, glm::length(h));
-    farthest = std::max(farthest, glm::length(center + h));
-  }
-  double const d = glm::length(center);
-  return farthest >= 1 - 1e-9 && d - reach <= 1 + 1e-9;
-}
-
 }  // namespace
 
-std::uint32_t FlatScene::primitiveCount() const { return std::uint32_t(material.size()); }
-
-Bounds FlatScene::primitiveBounds(std::uint32_t i) const {
-  Bounds b;
-  if (i < quads.size()) {
-    for (Vec3d p : quads[i].corner) b.grow(p);
-  } else if (i < quads.size() + spheres.size()) {
-    const FlatSphere& s = spheres[i - quads.size()];
-    for (int a = 0; a < 3; ++a) {
-      double const h = std::hypot(s.toWorld[0][a], s.toWorld[1][a], s.toWorld[2][a]);
-      b.min[a] = s.center[a] - h;
-      b.max[a] = s.center[a] + h;
-    }
-  } else {
-    const FlatTriangle& t = triangles[i - quads.size() - spheres.size()];
-    for (Vec3d p : {t.a, t.b, t.c}) b.grow(p);
-  }
-  return b;
-}
-
-bool FlatScene::overlapsSurface(std::uint32_t i, const Bounds& box) const {
-  bool const sphere = i >= quads.size() && i < quads.size() + spheres.size();
-  return !sphere || boxMeetsUnitSphere(spheres[i - quads.size()], box);
-}
-
-double reachOf(const Bounds& bounds, Vec3d position) {
-  Bounds far = bounds;
-  far.grow(position);
-  far.grow(Vec3d(0.0));
-  Vec3d const e = far.extent();
-  return std::max({e.x, e.y, e.z});
-}
-
-FlatScene flatten(const Scene& scene) { return Flattener(scene).run(); }
-
-Vec3d singularValues(const Mat3d& m) {
-  Mat3d a = m;  // pairs of columns are turned until all are orthogonal (one-sided Jacobi, Hestenes 1958)
-  for (int sweep = 0; sweep < 32; ++sweep) {
-    for (auto [p, q] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
-      double const product = glm::dot(a[p], a[q]);
-      if (product == 0) continue;
-      double const zeta = (glm::dot(a[q], a[q]) - glm::dot(a[p], a[p])) / (2 * product);
-      double const t = std::copysign(1.0, zeta) / (std::abs(zeta) + std::hypot(zeta, 1.0));
-      double const c = 1 / std::hypot(t, 1.0), s = c * t;
-      Vec3d const before = a[p];
-      a[p] = c * before - s * a[q];
-      a[q] = s * before + c * a[q];
-    }
-  }
-  double v[3] = {glm::length(a[0]), glm::length(a[1]), glm::length(a[2])};
-  std::sort(v, v + 3, std::greater<>());
-  return Vec3d(v[0], v[1], v[2]);
-}
-
-double ellipsoidArea(const Mat3d& toWorld) {
-  Vec3d const s = singularValues(toWorld);
-  double const scale = s.x * s.x;  // R_G is homogeneous: work with ratios so that nothing overflows
-  double const b = s.y / s.x, c = s.z / s.x;
-  double x = b * b * c * c, y = c * c, z = b * b;
-  // R_G from R_F and R_D: 2R_G = z R_F − (x−z)(y−z) R_D/3 + sqrt(xy/z), z the largest argument here.
-  double const x0 = x, y0 = y, z0 = z;
-  double sum = 0, power = 1;
-  for (int i = 0; i < 60; ++i) {
-    double const rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z);
-    double const lambda = rx * ry + ry * rz + rz * rx;
-    sum += power / (rz * (z + lambda));
-    power /= 4;
-    x = (x + lambda) / 4;
-    y = (y + lambda) / 4;
-    z = (z + lambda) / 4;
-  }
-  double const rf = 1 / std::sqrt((x + y + z) / 3);
-  double const rd = 3 * sum + power / std::pow((x + y + z) / 3, 1.5);
-  double const rg = 0.5 * (z0 * rf - (x0 - z0) * (y0 - z0) * rd / 3 + std::sqrt(x0 * y0 / z0));
-  return 4 * M_PI * scale * rg;
-}
+FlatScene flatten(const Scene& scene, Instancing instancing) { return Flattener(scene, instancing).run(); }
 
 FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera) {
   FeatureBits bits = 0;
   if (!flat.quads.empty()) bits |= feature::quads;
   if (!flat.spheres.empty()) bits |= feature::spheres;
   if (!flat.triangles.empty()) bits |= feature::triangles;
+  if (!flat.instances.empty()) bits |= feature::instances;
   for (std::uint32_t m : flat.material)
     bits |= std::visit([](const auto& params) { return params.bit; }, flat.materials[m]);
   if (camera.apertureRadius > 0) bits |= feature::lens;

@@ -1,8 +1,9 @@
 #pragma once
 // A flat scene on a backend, rounded to its scalar. What the scene lacks is not allocated.
 
+#include "accel/bvh_build.h"
 #include "render/integrator/prepare.h"
-#include "render/scene/view.h"
+#include "render/scene/upload_instances.h"
 
 namespace ropelight::RL_TARGET {
 
@@ -14,8 +15,6 @@ inline Quad toTarget(const FlatQuad& q) {
 inline Sphere toTarget(const FlatSphere& s) {
   return Sphere{Mat3(glm::inverse(s.toWorld)), Mat3(s.toWorld), Vec3(s.center)};
 }
-
-inline Triangle toTarget(const FlatTriangle& t) { return Triangle{Vec3(t.a), Vec3(t.b), Vec3(t.c)}; }
 
 inline Material toTarget(const MaterialDesc& desc) {
   Material m;
@@ -50,7 +49,10 @@ class DeviceScene {
     view.materials = convert(materials_, "materials", flat.materials);
     view.primitiveCount = flat.primitiveCount();
     uploadLights(flat);
+    instances_.upload(backend, p, view);
     if (p.features & feature::tree) uploadTree(*p.tree);
+    if (p.features & feature::bvh) uploadBvh(flat, *p.bvh);
+    view.shortStack = (p.features & feature::shortStack) != 0;
   }
 
   SceneView view;
@@ -94,6 +96,15 @@ class DeviceScene {
     std::memcpy(view.tree.bounds, tree.bounds, sizeof(tree.bounds));
   }
 
+  void uploadBvh(const FlatScene& flat, const Bvh<2>& bvh) {
+    if constexpr (bvhWidth == 2)
+      view.bvh.nodes = copy(bvhNodes_, "tree", bvh.nodes);
+    else
+      view.bvh.nodes = copy(bvhNodes_, "tree", widen(bvh).nodes);
+    view.bvh.items = copy(bvhItems_, "tree", bvh.items);
+    view.bvhTriangles = copy(bvhTriangles_, "tree", itemTriangles(flat, bvh.items));
+  }
+
   Backend& backend_;
   Buffer<Quad> quads_;
   Buffer<Sphere> spheres_;
@@ -106,6 +117,10 @@ class DeviceScene {
   Buffer<KdNode> nodes_;
   Buffer<KdLeaf> leaves_;
   Buffer<std::uint32_t> references_;
+  Buffer<BvhNode<bvhWidth>> bvhNodes_;
+  Buffer<std::uint32_t> bvhItems_;
+  Buffer<Triangle> bvhTriangles_;
+  DeviceInstances<Backend> instances_;
 };
 
 }  // namespace ropelight::RL_TARGET

@@ -3,8 +3,7 @@
 
 #include <cstring>
 
-#include "accel/kd_tree.h"
-#include "accel/primitives.h"
+#include "accel/instance.h"
 #include "render/bsdf/bsdfs.h"
 #include "render/core/span.h"
 #include "render/light/side.h"
@@ -30,14 +29,19 @@ struct SceneView {
   Span<const Quad> quads;
   Span<const Sphere> spheres;
   Span<const Triangle> triangles;
+  Span<const Instance> instances;
+  Span<const MeshView> meshes;         ///< that instances name
   Span<const std::uint32_t> material;  ///< by primitive
   Span<const std::int32_t> lightOf;    ///< by quad and sphere; −1: none
   Span<const Material> materials;
   Span<const Light> lights;
-  Span<const Real> lightCdf;  ///< inclusive sums of Light::pick
-  Real power = 0;             ///< of all lights: mean over the channels, watts
-  std::uint32_t primitiveCount = 0;
+  Span<const Real> lightCdf;         ///< inclusive sums of Light::pick
+  Real power = 0;                    ///< of all lights: mean over the channels, watts
+  std::uint32_t primitiveCount = 0;  ///< instances included; hits on their triangles have higher numbers
   KdTreeView tree;
+  bool shortStack = false;  ///< how the tree is traversed
+  BvhView<bvhWidth> bvh;
+  Span<const Triangle> bvhTriangles;  ///< by item of the hierarchy; of other primitives the id alone
 };
 
 template <class T>
@@ -103,10 +107,45 @@ RL_HD inline void placeOn(const Triangle& t, Real u, Real v, Surface& out) {
   out.n = normalize(cross(e1, e2));
 }
 
+/// A triangle of an instance: on it in the mesh's space, then in the world. The bound is for the way there and back: a
+/// ray that starts past it also starts past the triangle in the mesh's space.
+RL_HD inline void placeOn(const Instance& instance, const Triangle& t, Real u, Real v, Surface& out) {
+  placeOn(t, u, v, out);
+  out.p = apply(instance.toWorld, out.p) + instance.center;
+  Vec3 const terms = absolute(t.a) + absolute(t.b - t.a) + absolute(t.c - t.a);
+  out.error = instance.rounding * terms + gammaBound(2) * absolute(instance.center);
+  out.n = normalize(transpose(instance.toMesh) * out.n);
+}
+
+/// The instance whose triangles' numbers include that of a hit.
+RL_HD inline std::uint32_t instanceOf(Span<const Instance> instances, std::uint32_t hit) {
+  std::uint32_t low = 0, high = instances.size - 1;
+  while (low < high) {
+    std::uint32_t const middle = high - (high - low) / 2;
+    if (instances[middle].firstHit <= hit)
+      low = middle;
+    else
+      high = middle - 1;
+  }
+  return low;
+}
+
+RL_HD inline Surface surfaceOfInstance(const SceneView& scene, const Hit& hit) {
+  Surface out;
+  std::uint32_t const index = instanceOf(scene.instances, hit.primitive);
+  const Instance& instance = scene.instances[index];
+  out.primitive = hit.primitive;
+  out.material = scene.material[scene.primitiveCount - scene.instances.size + index];
+  placeOn(instance, scene.meshes[instance.mesh].triangles[hit.primitive - instance.firstHit], hit.u, hit.v, out);
+  return out;
+}
+
 template <FeatureBits F>
 RL_HD inline Surface surfaceAt(const SceneView& scene, const Ray& ray, const Hit& hit) {
-  Surface out;
   std::uint32_t id = hit.primitive;
+  if constexpr ((F & feature::instances) != 0)
+    if (id >= scene.primitiveCount) return surfaceOfInstance(scene, hit);
+  Surface out;
   out.primitive = id;
   out.material = scene.material[id];
   if (id < scene.lightOf.size) out.light = scene.lightOf[id];

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "tests/oracle/scenes.h"
+#include "tests/placed_meshes.h"
 #include "tests/rendering.h"
 
 using namespace ropelight;
@@ -56,7 +57,7 @@ TEST_SUITE("gpu") {
     if (noGpu()) return;
     for (const oracle::Scene& scene : scenes())
       for (const char* mode : {"ray", "path", "sppm"})
-        for (const char* accel : {"brute", "tree"}) {
+        for (const char* accel : {"brute", "bvh", "tree", "short-stack"}) {
           CAPTURE(mode);
           CAPTURE(accel);
           Settings const settings = settingsOf(mode, accel);
@@ -64,6 +65,23 @@ TEST_SUITE("gpu") {
           Image const gpu = renderImage(fromOracle(scene), settings, 1, nullptr, onGpu);
           CHECK(agreeingShare(cpu, gpu, 1e-4) >= 0.99);
         }
+  }
+
+  TEST_CASE("CUDA: meshes that stand in many places look as on the CPU") {
+    if (noGpu()) return;
+    Scene scene = placedBalls();
+    scene.camera.position = {0.3, 0.4, 3.5};
+    for (const char* accel : {"brute", "bvh", "tree", "short-stack"}) {
+      CAPTURE(accel);
+      for (const char* aov : {"depth", "normal"}) {
+        Settings settings = settingsOf("ray", accel);
+        settings.aov = aov;
+        Image const cpu = renderImage(scene, settings, 1, nullptr, onCpu);
+        Image const gpu = renderImage(scene, settings, 1, nullptr, onGpu);
+        CHECK(meanOf(cpu) != 0);
+        CHECK(agreeingShare(cpu, gpu, 1e-3) >= 0.99);
+      }
+    }
   }
 
   TEST_CASE("CUDA: 64 iterations agree with the CPU's by tiles") {

@@ -3,7 +3,8 @@
 // path is traced; the rest of the few long paths are written by tracing those again, at places known from a scan. So
 // nothing is dropped or overwritten, and the order depends on path numbers alone.
 
-#include "accel/photon_grid.h"
+#include "accel/photon.h"
+#include "render/core/span.h"
 
 namespace ropelight::RL_TARGET {
 
@@ -30,6 +31,9 @@ struct IterationState {
   unsigned long long pending = 0;  ///< photons of the iteration so far
   unsigned long long committed = 0;
   unsigned long long stored = 0;
+
+  /// To be sorted: none where the iteration has halted.
+  RL_HD std::uint32_t photons() const { return halt ? 0 : chunkPhotons; }
 };
 
 struct PhotonStore {
@@ -37,8 +41,7 @@ struct PhotonStore {
   std::uint32_t stripe = 0;  ///< slots of each path
   std::uint32_t tailCapacity = 0;
   std::uint32_t photonCapacity = 0;
-  Span<PhotonPosition> positions;  ///< paths·stripe + tailCapacity: slot j·paths + path, then tails
-  Span<PhotonPower> powers;
+  Span<Photon> photons;        ///< paths·stripe + tailCapacity: slot j·paths + path, then tails
   Span<DepositCount> counts;   ///< by path
   Span<DepositCount> offsets;  ///< by path, and the totals after the last
   Span<std::uint32_t> longPaths;

@@ -43,7 +43,8 @@ struct ResolvePhotons {
     std::uint32_t const k = std::uint32_t(std::uint64_t(i) * photons / count);
     Vec3 const p = positions[k].p;
     PhotonPower const w = powers[k];
-    points[i] = {{float(p.x), float(p.y), float(p.z)}, {w.flux.x, w.flux.y, w.flux.z}, w.edges, w.caustic};
+    points[i] = {
+        {float(p.x), float(p.y), float(p.z)}, {w.flux.x, w.flux.y, w.flux.z}, w.edges(), w.caustic() ? 1u : 0u};
   }
 };
 

@@ -41,21 +41,23 @@ struct TraceAov {
     return albedo;
   }
 
-  /// Primitives tested until the closest hit is known; for the traversal, with the tree's cells that were visited.
+  /// Primitives tested until the closest hit is known; for the traversal, with the cells or nodes that were visited.
   RL_HD Rgb cost(const Ray& ray) const {
-    int cells = 0, tests = int(frame.scene.primitiveCount);
+    int visits = 0, tests = int(frame.scene.primitiveCount);
+    if constexpr ((F & feature::bvh) != 0)
+      if (!frame.scene.bvh.nodes.empty()) countNodes(ray, visits, tests);
     if constexpr ((F & feature::tree) != 0)
-      if (!frame.scene.tree.nodes.empty()) countTraversal(ray, cells, tests);
-    return Rgb(float(aov == Aov::traversal ? cells + tests : tests));
+      if (!frame.scene.tree.nodes.empty()) countCells(ray, visits, tests);
+    return Rgb(float(aov == Aov::traversal ? visits + tests : tests));
   }
 
-  RL_HD void countTraversal(const Ray& ray, int& cells, int& tests) const {
+  RL_HD void countCells(const Ray& ray, int& cells, int& tests) const {
     Hit hit;
     hit.t = ray.tMax;
     RayShear const shear(ray);
     cells = tests = 0;
-    traverseRopes(
-        frame.scene.tree, ray,
+    traverseTree<F>(
+        frame.scene, ray,
         [&](std::uint32_t id) {
           ++tests;
           intersectPrimitive<F>(frame.scene, ray, shear, id, hit);
@@ -64,6 +66,20 @@ struct TraceAov {
           ++cells;
           return hit.t <= t;
         });
+  }
+
+  RL_HD void countNodes(const Ray& ray, int& nodes, int& tests) const {
+    Hit hit;
+    hit.t = ray.tMax;
+    RayShear const shear(ray);
+    nodes = tests = 0;
+    traverseBvh(
+        frame.scene.bvh, ray,
+        [&](std::uint32_t item) {
+          ++tests;
+          intersectItem<F>(frame.scene, ray, shear, item, hit);
+        },
+        [&] { return hit.t; }, [&] { ++nodes; });
   }
 };
 

@@ -8,7 +8,8 @@
 namespace ropelight::RL_TARGET {
 
 /// n: unit normal on the side that is looked at. weight: throughput · f; zero where nothing is to be gathered.
-struct GatherPoint {
+/// Aligned so that a GPU reads one in three words.
+struct alignas(16) GatherPoint {
   Vec3 p;
   std::uint32_t edges;  ///< of the path from the camera to here
   Vec3 n;

@@ -33,8 +33,9 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
       if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
         // One edge from the light is direct light, which shadow rays have unless photons are to carry it.
         if (edges > 1 || !(frame.shadowRays || frame.indirectOnly))
-          deposit(count++, PhotonPosition{s.p, packDirection(wo.z < 0 ? -s.n : s.n)},
-                  PhotonPower{flux, std::uint32_t(edges), specularSoFar && edges > 1 ? 1u : 0u});
+          deposit(
+              count++, PhotonPosition{s.p, packDirection(wo.z < 0 ? -s.n : s.n)},
+              PhotonPower{flux, std::uint32_t(edges) | (specularSoFar && edges > 1 ? PhotonPower::causticBit : 0u)});
         specularSoFar = false;
       }
       BsdfSample const b = bsdf.sample(wo, u.x, direction, Transport::flux);
@@ -65,8 +66,7 @@ struct TracePhotons {
         frame, firstPath + path, pathsPerIteration,
         [&](std::uint32_t deposit, const PhotonPosition& position, const PhotonPower& power) {
           if (deposit >= store.stripe) return;
-          store.positions[deposit * store.paths + path] = position;
-          store.powers[deposit * store.paths + path] = power;
+          store.photons[deposit * store.paths + path] = Photon{position, power};
         },
         tally);
     bool const longer = count > store.stripe;
@@ -124,8 +124,7 @@ struct TraceTails {
         frame, firstPath + path, pathsPerIteration,
         [&](std::uint32_t deposit, const PhotonPosition& position, const PhotonPower& power) {
           if (deposit < store.stripe || deposit >= store.counts[path].all) return;
-          store.positions[store.slotOf(path, deposit)] = position;
-          store.powers[store.slotOf(path, deposit)] = power;
+          store.photons[store.slotOf(path, deposit)] = Photon{position, power};
         },
         again);
     tally.rays += again.rays;

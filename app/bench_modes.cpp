@@ -1,0 +1,208 @@
+// One iteration of every mode, and the parts of a photon-mapping one, against the triangle count (paper, Figure 10).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "app/bench.h"
+#include "app/bench_result.h"
+#include "app/bench_timing.h"
+#include "render/scene/transform.h"
+#include "render/trace/meshes.h"
+
+namespace ropelight {
+namespace {
+
+/// For all modes on one scene.
+double limitSeconds(const BenchOptions& options) { return fullSizes(options) ? 40 : 3; }
+
+// The stages of an iteration that the parts are made of; those of neither list store, order and gather photons.
+constexpr const char* cameraStages[] = {"TraceCamera", "CommitFilm", "EndIteration", "ResolveFilm"};
+constexpr const char* photonStages[] = {"TracePhotons", "TraceTails"};
+
+bool oneOf(const std::string& name, std::span<const char* const> names) {
+  return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
+}
+
+ShapeDesc shapeOf(ShapeKind kind, const char* name, int material, const Mat4d& toWorld) {
+  ShapeDesc shape;
+  shape.kind = kind;
+  shape.name = name;
+  shape.material = material;
+  shape.toWorld = toWorld;
+  return shape;
+}
+
+/// A bumpy ball in a closed box under a square light.
+Scene ballInBox(std::vector<FlatTriangle> triangles) {
+  Scene scene;
+  scene.name = fmt::format("bumpy ball of {} triangles", triangles.size());
+  scene.camera.position = {0.8, 0.6, 2.2};
+  scene.camera.target = {0, -0.2, 0};
+  scene.camera.verticalFov = 60;
+  scene.materials = {{"white", DiffuseParams{Rgb(0.75f)}}, {"black", DiffuseParams{Rgb(0.0f)}}};
+  Mesh mesh;
+  for (const FlatTriangle& t : triangles) {
+    auto const first = std::uint32_t(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {t.a, t.b, t.c});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  scene.meshes.push_back(std::move(mesh));
+  ShapeDesc ball = shapeOf(ShapeKind::mesh, "ball", 0, Mat4d(1.0));
+  ball.mesh = 0;
+  ShapeDesc light = shapeOf(ShapeKind::quad, "light", 1, quadToWorld({-0.6, 2.45, -0.6}, {1.2, 0, 0}, {0, 0, 1.2}));
+  light.emission = Emission{Rgb(12.0f), Side::out};
+  scene.shapes = {ball, shapeOf(ShapeKind::box, "box", 0, scaling(Vec3d(2.5))), light};
+  return scene;
+}
+
+struct ModeRun {
+  const char* mode;
+  const char* series;
+};
+
+constexpr ModeRun modes[] = {{"ray", "ray"}, {"path", "path"}, {"sppm", "all combined"}};
+
+/// Share of a photon-mapping iteration that each part takes, by stages timed one by one.
+struct Shares {
+  double photonTrace = 0, withGather = 0;
+  std::string stages;
+};
+
+Shares sharesOf(const std::map<std::string, double>& stageSeconds) {
+  double all = 0, photons = 0, camera = 0;
+  Shares shares;
+  for (const auto& [stage, seconds] : stageSeconds) {
+    all += seconds;
+    if (oneOf(stage, photonStages)) photons += seconds;
+    if (oneOf(stage, cameraStages))
+      camera += seconds;
+    else
+      shares.stages += (shares.stages.empty() ? "" : ", ") + stage;
+  }
+  if (!(all > 0)) return shares;
+  shares.photonTrace = photons / all;
+  shares.withGather = (all - camera) / all;
+  return shares;
+}
+
+BenchRow rowOf(const std::string& series, std::size_t triangles, std::vector<double> seconds) {
+  BenchRow row;
+  row.series = series;
+  row.x = fmt::format("{}", triangles);
+  row.place = double(triangles);
+  row.seconds = std::move(seconds);
+  return row;
+}
+
+std::vector<double> times(std::vector<double> seconds, double share) {
+  for (double& s : seconds) s *= share;
+  return seconds;
+}
+
+class ModeTimer {
+ public:
+  ModeTimer(const Scene& scene, const Settings& settings, const BenchOptions& options)
+      : scene_(scene), settings_(settings), options_(options), cache_(makeSceneCache(scene)) {}
+
+  /// Rows of the modes and of the parts of sppm; every mode's iterations in turn.
+  std::vector<BenchRow> run(std::size_t triangles, std::string& stages) {
+    std::vector<std::unique_ptr<Integrator>> integrators;
+    std::vector<Contender> contenders;
+    for (const ModeRun& mode : modes) {
+      integrators.push_back(make(mode.mode, false));
+      contenders.push_back(
+          {[&integrator = *integrators.back()] { return secondsOf([&] { integrator.advance(1); }); }, {}});
+    }
+    timeInTurn(contenders, warmUpRuns, options_.repeat, limitSeconds(options_));
+    Shares const shares = sharesOf(stageSeconds());
+    stages = shares.stages;
+    device_ = integrators.front()->stats().device;
+    std::vector<BenchRow> rows;
+    for (std::size_t i = 0; i < std::size(modes); ++i) {
+      rows.push_back(rowOf(modes[i].series, triangles, contenders[i].seconds));
+      check(rows.back(), integrators[i]->stats());
+    }
+    const std::vector<double> whole = contenders.back().seconds;
+    rows.insert(rows.begin() + 2, {rowOf("photon trace", triangles, times(whole, shares.photonTrace)),
+                                   rowOf("photon trace + gather", triangles, times(whole, shares.withGather))});
+    return rows;
+  }
+
+  const std::string& device() const { return device_; }
+
+ private:
+  std::unique_ptr<Integrator> make(const char* mode, bool stageTimes) const {
+    Settings settings = settings_;
+    settings.mode = mode;
+    BackendChoice choice = options_.scene.backend;
+    choice.stageTimes = stageTimes;
+    return makeIntegrator(scene_, settings, choice, nullptr, cache_);
+  }
+
+  std::map<std::string, double> stageSeconds() const {
+    auto const integrator = make("sppm", true);
+    integrator->advance(warmUpRuns);
+    integrator->reset();
+    integrator->advance(std::min(options_.repeat, 5));
+    return integrator->stats().stageSeconds;
+  }
+
+  static void check(BenchRow& row, const Stats& stats) {
+    row.setRate(double(stats.rays + stats.shadowRays) / double(std::max<std::uint64_t>(1, stats.iterations)), "rays");
+    row.note = stats.accel;
+    row.failed = stats.nonFinite > 0;
+    if (row.failed) row.note = fmt::format("FAILED: {} samples were not finite", stats.nonFinite);
+  }
+
+  const Scene& scene_;
+  Settings settings_;
+  const BenchOptions& options_;
+  std::shared_ptr<SceneCache> cache_;
+  std::string device_;
+};
+
+LinePlot plotOf(const BenchResult& result, const BenchTable& table) {
+  LinePlot plot;
+  plot.title = "One iteration of every mode against triangles";
+  plot.caption = result.caption();
+  plot.x = {"triangles", true, {}};
+  plot.y = {"time of an iteration (ms)", true, {}};
+  plot.curves = curvesOf(table, Plotted::milliseconds);
+  return plot;
+}
+
+}  // namespace
+
+BenchResult benchModes(const BenchOptions& options) {
+  bool const full = fullSizes(options);
+  Settings settings = options.scene.settings;
+  if (settings.width == 0) settings.width = full ? 512 : 192;
+  if (settings.height == 0) settings.height = full ? 512 : 192;
+  if (!full && settings.photons == Settings{}.photons) settings.photons = 32768;
+  BenchTable table{"an iteration", "triangles", {}, {}};
+  std::string stages, device;
+  for (int halfDecade = 2; halfDecade <= (full ? 12 : 10); ++halfDecade) {
+    auto triangles = bumpySphereOf(std::uint32_t(std::lround(std::pow(10, halfDecade / 2.0))));
+    normalise(triangles);
+    std::size_t const count = triangles.size();
+    Scene const scene = ballInBox(std::move(triangles));
+    ModeTimer timer(scene, settings, options);
+    for (BenchRow& row : timer.run(count, stages)) table.rows.push_back(std::move(row));
+    device = timer.device();
+  }
+  table.remarks = {
+      "photon trace: the share of TracePhotons and TraceTails in an iteration whose stages are timed one by "
+      "one",
+      "photon trace + gather: the share of " + stages};
+  BenchResult result = startResult("modes", device, options,
+                                   fmt::format("bumpy ball in a closed lit box, {} × {} pixels, {} photon paths",
+                                               settings.width, settings.height, grouped(settings.photons)));
+  result.tables = {table};
+  result.plots = {{"", plotOf(result, table)}};
+  return result;
+}
+
+}  // namespace ropelight

@@ -1,0 +1,51 @@
+#pragma once
+// What the benchmarks of rays have in common: structures over a mesh, sets of rays, and traversals timed in turn.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/bench.h"
+#include "app/bench_result.h"
+#include "render/trace/ray_sets.h"
+#include "render/trace/ray_stream.h"
+
+namespace ropelight {
+
+/// A tree, the two hierarchies and the seconds that each took to build.
+struct BuiltScene {
+  StreamScene stream;
+  double treeSeconds = 0, bvhSeconds = 0, widenSeconds = 0;
+};
+
+BuiltScene buildStructures(std::vector<FlatTriangle> triangles, const BenchOptions& options);
+
+/// All sets of an image's rays, traced by the first tree there is. `wanted`: names; their forerunners are made too.
+std::vector<RaySet> tracedSets(const StreamScene& scene, RayStream& stream, const RayView& view, const RayImage& image,
+                               const std::vector<std::string>& wanted);
+
+/// The times of one traversal. Hits other than the set's fail it; Embree's own triangle test may differ in few.
+struct TimedTraversal {
+  Traversal traversal = Traversal::brute;
+  std::vector<double> seconds;  ///< scaled to all rays where only `rays` were traced
+  std::size_t rays = 0, of = 0;
+  std::size_t different = 0;
+
+  bool failed() const;
+  std::string note() const;
+  BenchRow row(const std::string& series, const std::string& x, double place) const;
+};
+
+/// Times the traversals that the stream supports, in turn; brute force on so many rays that a run tests at most
+/// `bruteTests` triangles, from a stream of its own.
+std::vector<TimedTraversal> timeTraversals(const StreamScene& scene, RayStream& stream, const RaySet& set,
+                                           double bruteTests, const BenchOptions& options);
+
+/// How many of the set's hits are not brute force's, of rays spread over the set, as above.
+std::size_t differentFromBrute(const StreamScene& scene, const RaySet& set, double bruteTests,
+                               const BenchOptions& options);
+
+/// Triangle tests that brute force may make in one run.
+double bruteBudget(const BenchOptions& options);
+
+}  // namespace ropelight
