@@ -1,6 +1,8 @@
 #pragma once
 // Builds bounding-volume hierarchies on the CPU by the surface-area heuristic (Goldsmith & Salmon 1987; Wald 2007).
 
+#include <tuple>
+
 #include "accel/bvh.h"
 #include "render/scene/flatten.h"
 
@@ -14,7 +16,9 @@ struct BvhConfig {
   int reinsertion = 2;       ///< passes that move subtrees to where they cost less (Meister & Bittner 2018)
   int threads = 0;           ///< 0: all cores; the result is the same for any number
 
-  bool operator==(const BvhConfig&) const = default;
+  /// All that the hierarchy depends on.
+  auto shape() const { return std::tuple(sweep, bins, leafSize, traversalCost, reinsertion); }
+  bool operator==(const BvhConfig& other) const { return shape() == other.shape(); }
 };
 
 /// A binary hierarchy over all primitives of a scene that has at least one. Bounds are padded by what rounding can move

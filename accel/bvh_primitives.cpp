@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "accel/bvh_tree.h"
-#include "render/backend/radix_sort.h"
+#include "render/core/radix_sort.h"
 
 namespace ropelight::bvh {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "render/backend/radix_sort.h"
+#include "render/core/radix_sort.h"
 
 namespace ropelight::bvh {
 namespace {

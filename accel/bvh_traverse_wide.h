@@ -103,7 +103,7 @@ RL_HD void traverseWide(const BvhView<4>& bvh, const Ray& ray, Test&& test, Limi
     WideClip const clip(node, slabs, limit());
     int const base = stack.size();
     for (int k = 0; k < 4; ++k)
-      if (clip.enter[k] <= clip.leave[k]) stack.insert(base, node.child[k], clip.enter[k]);
+      if (!node.child[k].none() && clip.enter[k] <= clip.leave[k]) stack.insert(base, node.child[k], clip.enter[k]);
   } while (stack.pop(limit(), next));
 }
 

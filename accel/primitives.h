@@ -86,6 +86,9 @@ class RayShear {
 /// Twice the signed area of (0, p, q): edge(q, p) is exactly −edge(p, q), and the sign is never wrong (it may be 0).
 RL_HD inline Real edge(Vec3 p, Vec3 q) { return mulRounded(p.x, q.y) - mulRounded(p.y, q.x); }
 
+/// The same, 0 only where it is: products of two floats are exact in double.
+RL_HD inline Real edgeExact(Vec3 p, Vec3 q) { return Real(double(p.x) * double(q.y) - double(p.y) * double(q.x)); }
+
 RL_HD inline bool mixedSigns(Real lowest, Real highest) { return lowest < 0 && highest > 0; }
 
 /// Completes a hit of the sheared triangle p, q, r with edge values u, v, w; rejects t within its own error of zero
@@ -99,6 +102,8 @@ RL_HD inline bool hitTriangle(const RayShear& shear, Vec3 p, Vec3 q, Vec3 r, Rea
   if (!(t > 0) || !hit.improvedBy(t, id)) return false;
   Real const maxX = maxAbs(Vec3(p.x, q.x, r.x)), maxY = maxAbs(Vec3(p.y, q.y, r.y));
   Real const maxZ = maxAbs(Vec3(p.z, q.z, r.z)), maxE = maxAbs(Vec3(u, v, w));
+  // t lies between the corners': where all are clearly ahead it needs no bound, which for needles seen edge-on is huge.
+  if (minOf(p.z, minOf(q.z, r.z)) > gammaBound(16) * maxZ) return true;
   Real const depth = maxZ * shear.speed();
   Real const deltaX = gammaBound(5) * (maxX + depth), deltaY = gammaBound(5) * (maxY + depth);
   Real const deltaZ = gammaBound(3) * maxZ;
@@ -109,7 +114,12 @@ RL_HD inline bool hitTriangle(const RayShear& shear, Vec3 p, Vec3 q, Vec3 r, Rea
 /// Replaces `hit` where the triangle is met in (0, hit.t).
 RL_HD inline void intersect(const Triangle& triangle, const RayShear& shear, std::uint32_t id, Hit& hit) {
   Vec3 const p = shear(triangle.a), q = shear(triangle.b), r = shear(triangle.c);
-  Real const u = edge(r, q), v = edge(p, r), w = edge(q, p);
+  Real u = edge(r, q), v = edge(p, r), w = edge(q, p);
+  if (u == 0 || v == 0 || w == 0) {  // by rounding, perhaps: small triangles far to the side would count as met
+    u = edgeExact(r, q);
+    v = edgeExact(p, r);
+    w = edgeExact(q, p);
+  }
   if (mixedSigns(minOf(u, minOf(v, w)), maxOf(u, maxOf(v, w)))) return;
   Real t, inverse;
   if (hitTriangle(shear, p, q, r, u, v, w, hit, id, t, inverse)) hit = Hit{t, id, v * inverse, w * inverse};

@@ -19,7 +19,7 @@ constexpr std::size_t checkedNearest = 16;
 constexpr std::uint32_t million = 1u << 20;
 
 /// For all runs with one number of photons.
-double limitSeconds(const BenchOptions& options) { return fullSizes(options) ? 60 : 4; }
+double limitSeconds(const BenchOptions& options) { return fullSizes(options) ? 8 : 4; }
 
 /// Where gathers of one number of photons differ from each other.
 struct Workload {
@@ -138,12 +138,18 @@ class GatherTimer {
     return differentGathers(pick<StreamGather>(grid_->results(), numbers_), expected_);
   }
 
+  /// Every photon carries one watt; with k found, the farthest gives the radius alone.
+  static bool rightFlux(const StreamGather& gather) {
+    return gather.flux == Rgb(float(gather.count == nearest ? nearest - 1 : gather.count));
+  }
+
   std::size_t wrongNearest() {
     grid_->gather(GatherKind::nearest, work_.radius, nearest);
     auto const found = grid_->results();
     std::size_t wrong = 0;
     for (std::uint32_t const i : spreadNumbers(work_.queries.size(), checkedNearest))
-      wrong += rightNearest(found[i], work_.queries[i], work_.photons, work_.radius, nearest) ? 0 : 1;
+      if (!rightNearest(found[i], work_.queries[i], work_.photons, work_.radius, nearest) || !rightFlux(found[i]))
+        ++wrong;
     return wrong;
   }
 
@@ -153,6 +159,20 @@ class GatherTimer {
   std::unique_ptr<GatherStream> grid_, brute_;
   std::vector<StreamGather> expected_;
 };
+
+constexpr std::size_t checkedStandard = 1024;
+
+/// How many gathers through the grid as it was built last differ from testing every photon, on queries spread over all.
+std::size_t wrongGathers(GatherStream& stream, const std::vector<StreamQuery>& queries, float radius) {
+  auto const numbers = spreadNumbers(queries.size(), checkedStandard);
+  stream.gather(GatherKind::grid, radius, nearest);
+  auto const found = pick<StreamGather>(stream.results(), numbers);
+  stream.setQueries(pick<StreamQuery>(queries, numbers));
+  stream.gather(GatherKind::brute, radius, nearest);
+  auto const expected = stream.results();
+  stream.setQueries(queries);
+  return differentGathers(found, expected);
+}
 
 /// Builds and gathers with 2²⁰ photons and multiples of it; cells as wide as the radius.
 void addStandardRows(std::vector<StreamQuery> queries, const BenchOptions& options, bool full, BenchTable& builds,
@@ -173,13 +193,20 @@ void addStandardRows(std::vector<StreamQuery> queries, const BenchOptions& optio
     };
     float const wide = radiusFor(100, count);
     time(builds, "build, at most 2²⁰ cells", "photons", [&] { return stream->build(wide, million); });
+    fail(builds.rows.back(), wrongGathers(*stream, queries, wide), checkedStandard);
     time(builds, "build, as the renderer has it", "photons", [&] { return stream->build(wide); });
+    fail(builds.rows.back(), wrongGathers(*stream, queries, wide), checkedStandard);
     if (millions > 4) continue;
     for (int const inside : {20, 100}) {
       float const radius = radiusFor(inside, count);
+      stream->build(radius, full ? 1u << 26 : 0);
+      time(gathers, fmt::format("grid of all cells, k = {} on average", inside), "queries",
+           [&] { return stream->gather(GatherKind::grid, radius, nearest); });
+      fail(gathers.rows.back(), wrongGathers(*stream, queries, radius), checkedStandard);
       stream->build(radius);
       time(gathers, fmt::format("grid, k = {} on average", inside), "queries",
            [&] { return stream->gather(GatherKind::grid, radius, nearest); });
+      fail(gathers.rows.back(), wrongGathers(*stream, queries, radius), checkedStandard);
     }
     if (millions > 1) continue;
     time(gathers, fmt::format("grid, {} nearest", nearest), "queries",

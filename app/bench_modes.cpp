@@ -154,6 +154,7 @@ class ModeTimer {
     row.setRate(double(stats.rays + stats.shadowRays) / double(std::max<std::uint64_t>(1, stats.iterations)), "rays");
     row.note = stats.accel;
     row.failed = stats.nonFinite > 0;
+    if (row.failed) row.seconds.clear();
     if (row.failed) row.note = fmt::format("FAILED: {} samples were not finite", stats.nonFinite);
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "accel/bvh_embree.h"
 #include "app/bench_rays.h"
 #include "render/trace/meshes.h"
 
@@ -54,19 +55,22 @@ LinePlot plotOf(const BenchResult& result, const BenchTable& table) {
   return plot;
 }
 
-void addBuilds(BenchTable& table, const std::string& mesh, const BuiltScene& built) {
+void addBuilds(BenchTable& table, const std::string& mesh, const BuiltScene& built, int threads) {
   auto const add = [&](const char* series, double seconds, std::size_t bytes) {
     BenchRow row;
     row.series = series;
     row.x = mesh;
     row.seconds = {seconds};
-    row.value = double(bytes) / (1 << 20);
-    row.unit = "MiB";
+    if (bytes > 0) {
+      row.value = double(bytes) / (1 << 20);
+      row.unit = "MiB";
+    }
     table.rows.push_back(row);
   };
   add("kd-tree, binned SAH", built.treeSeconds, built.stream.tree->bytes());
   add("BVH, 2 children", built.bvhSeconds, built.stream.bvh->bytes());
   add("BVH, 4 children, from the one of 2", built.widenSeconds, built.stream.wide->bytes());
+  if (EmbreeScene::supported()) add("Embree, robust", EmbreeScene(*built.stream.flat, true, threads).buildSeconds(), 0);
 }
 
 BenchTable timeSubject(const Subject& subject, const BuiltScene& built, RayStream& stream, const RayImage& image,
@@ -105,7 +109,7 @@ BenchResult benchTraversal(const BenchOptions& options) {
           fmt::format("{} × {} rays a set in 8 × 4 tiles, meshes in a closed room", image.width, image.height));
     tables.push_back(timeSubject(subject, built, *stream, image, options));
     suffixes.push_back(suffixOf(subject.name));
-    addBuilds(builds, subject.name, built);
+    addBuilds(builds, subject.name, built, options.scene.backend.threads);
   }
   for (std::size_t i = 0; i < tables.size(); ++i)
     result.plots.push_back({i == 0 ? "" : suffixes[i], plotOf(result, tables[i])});

@@ -24,5 +24,6 @@ forbid "GL, windows and the command line belong in app/" '#\s*include\s*[<"](GL|
   accel render
 forbid "GLM is included by render/core/vec.h alone" '#\s*include\s*[<"]glm/' '^render/core/vec\.h:' accel app render tests
 forbid "render/ and accel/ do not include app/" '#\s*include\s*"app/' "$none" accel render
+forbid "accel/ includes no backend, integrator or stream" '#\s*include\s*"render/(backend|integrator|trace)/' "$none" accel
 forbid "render/core/ includes nothing of ours but itself" '#\s*include\s*"(?!render/core/)' "$none" render/core
 exit "$status"

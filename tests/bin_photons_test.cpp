@@ -8,7 +8,7 @@
 #include <bit>
 #include <numeric>
 
-#include "render/backend/radix_sort.h"
+#include "render/core/radix_sort.h"
 #include "tests/photon_cloud.h"
 #include "tests/test_random.h"
 

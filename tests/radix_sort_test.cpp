@@ -1,6 +1,6 @@
 // The radix sort against the standard library's.
 
-#include "render/backend/radix_sort.h"
+#include "render/core/radix_sort.h"
 
 #include <doctest/doctest.h>
 

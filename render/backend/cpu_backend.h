@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "render/backend/ledger.h"
-#include "render/backend/radix_sort.h"
 #include "render/backend/tally.h"
+#include "render/core/radix_sort.h"
 #include "render/core/span.h"
 #include "render/integrator/integrator.h"
 

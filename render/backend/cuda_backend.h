@@ -192,12 +192,12 @@ class Backend {
   void forEachShared(std::uint32_t n, const Stage& stage) {
     if (n == 0 || interrupted()) return;
     ledger_.launched(Stage::name);
-    Timer const timer(*this, Stage::name);
     constexpr int threads = 128;
     std::size_t const bytes = stage.shared.size * sizeof(*stage.shared.data);
-    int const blocks = int((std::uint64_t(n) + threads - 1) / threads);
-    runShared<<<std::min(blocks, residentBlocks(runShared<Stage>, threads, bytes)), threads, bytes, stream_>>>(
-        n, stage, totals_.span().data);
+    int const all = int((std::uint64_t(n) + threads - 1) / threads);
+    int const blocks = std::min(all, residentBlocks(runShared<Stage>, threads, bytes));
+    Timer const timer(*this, Stage::name);
+    runShared<<<blocks, threads, bytes, stream_>>>(n, stage, totals_.span().data);
     RL_CUDA(cudaGetLastError());
   }
 
@@ -207,9 +207,10 @@ class Backend {
   void forEachRefilled(std::uint32_t n, const Stage& stage) {
     if (n == 0 || interrupted()) return;
     ledger_.launched(Stage::name);
-    Timer const timer(*this, Stage::name);
+    int const blocks = residentBlocks(runRefilled<Stage>, 128, 0);
     RL_CUDA(cudaMemsetAsync(next_.span().data, 0, sizeof(std::uint32_t), stream_));
-    runRefilled<<<residentBlocks(runRefilled<Stage>, 128, 0), 128, 0, stream_>>>(n, stage, next_.span().data);
+    Timer const timer(*this, Stage::name);
+    runRefilled<<<blocks, 128, 0, stream_>>>(n, stage, next_.span().data);
     RL_CUDA(cudaGetLastError());
   }
 

@@ -118,6 +118,12 @@ class IntegratorBase : public Integrator {
       s.treeSeconds = bvh->stats.seconds;
       s.treeCost = bvh->stats.sahCost;
     }
+    if (prepared_.bvh && prepared_.meshBvhs)
+      for (const Bvh<2>& bvh : *prepared_.meshBvhs) {
+        s.treeNodes += bvh.nodes.size();
+        s.treeLeaves += bvh.stats.leaves;
+        s.treeSeconds += bvh.stats.seconds;
+      }
     if (const KdTree* tree = prepared_.tree.get()) {
       s.treeNodes = tree->nodes.size();
       s.treeLeaves = tree->leaves.size();

@@ -58,8 +58,9 @@ void resolveRadius(Prepared& p) {
   if ((p.features & feature::photons) && p.settings.radius == 0) p.settings.radius = automaticRadius(p);
 }
 
-KdConfig treeConfig(const Settings& s) {
+KdConfig treeConfig(const Settings& s, int threads = 0) {
   KdConfig config;
+  config.threads = threads;
   config.split = s.split == "sweep" ? KdSplit::sweep : (s.split == "midpoint" ? KdSplit::midpoint : KdSplit::sah);
   config.bins = s.bins;
   config.leafSize = s.leafSize;
@@ -77,12 +78,15 @@ FeatureBits structureFor(std::uint32_t things, const Settings& s) {
 
 void buildStructures(Prepared& p, SceneCache& cache) {
   if (p.features & feature::tree) {
-    p.tree = cache.tree(p.flat, treeConfig(p.settings));
-    p.meshTrees = cache.meshTrees(*p.flat, treeConfig(p.requested));  // each mesh has an automatic depth of its own
+    p.tree = cache.tree(p.flat, treeConfig(p.settings, p.backend.threads));
+    p.meshTrees = cache.meshTrees(
+        *p.flat, treeConfig(p.requested, p.backend.threads));  // each mesh has an automatic depth of its own
   }
   if (p.features & feature::bvh) {
-    p.bvh = cache.bvh(p.flat, BvhConfig{});
-    p.meshBvhs = cache.meshBvhs(*p.flat, BvhConfig{});
+    BvhConfig config;
+    config.threads = p.backend.threads;
+    p.bvh = cache.bvh(p.flat, config);
+    p.meshBvhs = cache.meshBvhs(*p.flat, config);
   }
 }
 

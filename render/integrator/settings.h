@@ -40,7 +40,8 @@ struct Settings {
     v("mode", mode, I{.doc = "ray, path or sppm", .group = "Mode", .choices = "ray|path|sppm"});
     v("aov", aov,
       I{.doc = "what the film holds: radiance; at the first hit the normal, depth, albedo, traversal (tree "
-               "cells or nodes visited and primitives tested) or tests (primitives tested); of the sppm gather "
+               "cells or nodes visited and primitives tested) or tests (primitives tested, an instance as one); of the "
+               "sppm "
                "photon-count or "
                "gather-radius",
         .group = "Mode",

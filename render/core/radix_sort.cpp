@@ -1,4 +1,4 @@
-#include "render/backend/radix_sort.h"
+#include "render/core/radix_sort.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
