@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "tests/gpu/device.h"
 #include "tests/oracle/scenes.h"
 #include "tests/placed_meshes.h"
 #include "tests/rendering.h"
@@ -14,15 +15,6 @@ using namespace ropelight;
 using namespace ropelight::testing;
 
 namespace {
-
-const BackendChoice onCpu{"cpu", 0, 0, false}, onGpu{"cuda", 0, 0, false};
-
-bool noGpu() {
-  for (const DeviceInfo& d : listDevices())
-    if (d.backend == "cuda" && d.usable) return false;
-  MESSAGE("skipped: no usable CUDA device");
-  return true;
-}
 
 /// Share of pixels whose channels all agree to `relative` of the brighter one (and of a thousandth of the mean).
 double agreeingShare(const Image& a, const Image& b, double relative) {

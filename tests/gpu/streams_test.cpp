@@ -10,20 +10,12 @@
 #include "render/trace/ray_stream.h"
 #include "render/trace/stress_meshes.h"
 #include "render/trace/stress_rays.h"
+#include "tests/gpu/device.h"
 #include "tests/test_random.h"
 
 using namespace ropelight;
 
 namespace {
-
-const BackendChoice onCpu{"cpu", 0, 0, false}, onGpu{"cuda", 0, 0, false};
-
-bool noGpu() {
-  for (const DeviceInfo& d : listDevices())
-    if (d.backend == "cuda" && d.usable) return false;
-  MESSAGE("skipped: no usable CUDA device");
-  return true;
-}
 
 StreamScene structuresOver(const std::vector<FlatTriangle>& triangles) {
   StreamScene scene;

@@ -1,0 +1,20 @@
+#pragma once
+// What tests that need a GPU ask first.
+
+#include <doctest/doctest.h>
+
+#include "render/integrator/integrator.h"
+
+namespace ropelight {
+
+inline const BackendChoice onCpu{"cpu", 0, 0, false}, onGpu{"cuda", 0, 0, false};
+
+/// Says so where there is no usable CUDA device; the test then has nothing to do.
+inline bool noGpu() {
+  for (const DeviceInfo& d : listDevices())
+    if (d.backend == "cuda" && d.usable) return false;
+  MESSAGE("skipped: no usable CUDA device");
+  return true;
+}
+
+}  // namespace ropelight
