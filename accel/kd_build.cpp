@@ -198,11 +198,7 @@ double since(std::chrono::steady_clock::time_point start) {
 
 void measureSizes(std::uint32_t primitives, KdTree& tree) {
   KdTreeStats& s = tree.stats;
-  s.nodes = tree.nodes.size();
-  s.leaves = tree.leaves.size();
-  s.references = tree.references.size();
-  s.duplicates = primitives > 0 ? double(s.references) / double(primitives) : 1;
-  s.bytes = tree.bytes();
+  s.duplicates = primitives > 0 ? double(tree.references.size()) / double(primitives) : 1;
   for (const KdLeaf& leaf : tree.leaves) s.largestLeaf = std::max(s.largestLeaf, leaf.count);
 }
 

@@ -33,11 +33,7 @@ struct KdTreeStats {
   double sahCost = 0;  ///< expected cost of a random line, in units of one primitive test
   int depth = 0;       ///< inner nodes on the longest way to a leaf
   double ropeSeconds = 0;
-  std::uint64_t nodes = 0;
-  std::uint64_t leaves = 0;
-  std::uint64_t references = 0;
   double duplicates = 0;          ///< references a primitive
-  std::uint64_t bytes = 0;        ///< of nodes, leaves and references
   std::uint32_t largestLeaf = 0;  ///< primitives
   std::uint64_t budgetHits = 0;   ///< splits not made for want of memory
 };

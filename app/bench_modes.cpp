@@ -9,6 +9,8 @@
 #include "app/bench.h"
 #include "app/bench_result.h"
 #include "app/bench_timing.h"
+#include "app/scene_path.h"
+#include "render/scene/load.h"
 #include "render/scene/transform.h"
 #include "render/trace/meshes.h"
 
@@ -63,6 +65,9 @@ struct ModeRun {
   const char* series;
 };
 
+constexpr const char* scenes[] = {
+    "cornell", "box-spheres-diffuse", "cornell-caustics", "glass-caustic", "light-in-glass", "six-lights", "bumpy"};
+
 constexpr ModeRun modes[] = {{"ray", "ray"}, {"path", "path"}, {"sppm", "all combined"}};
 
 /// Share of a photon-mapping iteration that each part takes, by stages timed one by one.
@@ -88,11 +93,17 @@ Shares sharesOf(const std::map<std::string, double>& stageSeconds) {
   return shares;
 }
 
-BenchRow rowOf(const std::string& series, std::size_t triangles, std::vector<double> seconds) {
+/// Where a row stands: a number of triangles, or a scene.
+struct Place {
+  std::string name;
+  double value;
+};
+
+BenchRow rowOf(const std::string& series, const Place& place, std::vector<double> seconds) {
   BenchRow row;
   row.series = series;
-  row.x = fmt::format("{}", triangles);
-  row.place = double(triangles);
+  row.x = place.name;
+  row.place = place.value;
   row.seconds = std::move(seconds);
   return row;
 }
@@ -108,7 +119,7 @@ class ModeTimer {
       : scene_(scene), settings_(settings), options_(options), cache_(makeSceneCache(scene)) {}
 
   /// Rows of the modes and of the parts of sppm; every mode's iterations in turn.
-  std::vector<BenchRow> run(std::size_t triangles, std::string& stages) {
+  std::vector<BenchRow> run(const Place& place, std::string& stages) {
     std::vector<std::unique_ptr<Integrator>> integrators;
     std::vector<Contender> contenders;
     for (const ModeRun& mode : modes) {
@@ -117,17 +128,19 @@ class ModeTimer {
           {[&integrator = *integrators.back()] { return secondsOf([&] { integrator.advance(1); }); }, {}});
     }
     timeInTurn(contenders, warmUpRuns, options_.repeat, limitSeconds(options_));
-    Shares const shares = sharesOf(stageSeconds());
+    Image film;
+    Shares const shares = sharesOf(stageSeconds(film));
     stages = shares.stages;
     device_ = integrators.front()->stats().device;
     std::vector<BenchRow> rows;
     for (std::size_t i = 0; i < std::size(modes); ++i) {
-      rows.push_back(rowOf(modes[i].series, triangles, contenders[i].seconds));
+      rows.push_back(rowOf(modes[i].series, place, contenders[i].seconds));
       check(rows.back(), integrators[i]->stats());
     }
+    checkAgain(rows.back(), *integrators.back(), film);
     const std::vector<double> whole = contenders.back().seconds;
-    rows.insert(rows.begin() + 2, {rowOf("photon trace", triangles, times(whole, shares.photonTrace)),
-                                   rowOf("photon trace + gather", triangles, times(whole, shares.withGather))});
+    rows.insert(rows.begin() + 2, {rowOf("photon trace", place, times(whole, shares.photonTrace)),
+                                   rowOf("photon trace + gather", place, times(whole, shares.withGather))});
     return rows;
   }
 
@@ -142,12 +155,25 @@ class ModeTimer {
     return makeIntegrator(scene_, settings, choice, nullptr, cache_);
   }
 
-  std::map<std::string, double> stageSeconds() const {
+  int stagedIterations() const { return std::min(options_.repeat, 5); }
+
+  std::map<std::string, double> stageSeconds(Image& film) const {
     auto const integrator = make("sppm", true);
     integrator->advance(warmUpRuns);
     integrator->reset();
-    integrator->advance(std::min(options_.repeat, 5));
+    integrator->advance(stagedIterations());
+    film = integrator->film();
     return integrator->stats().stageSeconds;
+  }
+
+  /// The timed integrator must find the light that the one with timed stages found: the same photons, to the bit.
+  void checkAgain(BenchRow& row, Integrator& timed, const Image& film) const {
+    timed.reset();
+    timed.advance(stagedIterations());
+    if (timed.film().pixels == film.pixels) return;
+    row.failed = true;
+    row.seconds.clear();
+    row.note = "FAILED: two runs of one seed differ";
   }
 
   static void check(BenchRow& row, const Stats& stats) {
@@ -165,14 +191,41 @@ class ModeTimer {
   std::string device_;
 };
 
-LinePlot plotOf(const BenchResult& result, const BenchTable& table) {
+LinePlot plotOf(const BenchResult& result, const BenchTable& table, const char* title, const PlotAxis& x) {
   LinePlot plot;
-  plot.title = "One iteration of every mode against triangles";
+  plot.title = title;
   plot.caption = result.caption();
-  plot.x = {"triangles", true, {}};
+  plot.x = x;
   plot.y = {"time of an iteration (ms)", true, {}};
   plot.curves = curvesOf(table, Plotted::milliseconds);
   return plot;
+}
+
+/// The parts of all tables come from one list of stages, that of the largest scene.
+BenchTable againstTriangles(const Settings& settings, const BenchOptions& options, std::string& stages,
+                            std::string& device) {
+  BenchTable table{"an iteration", "triangles", {}, {}};
+  for (int halfDecade = 2; halfDecade <= (fullSizes(options) ? 12 : 10); ++halfDecade) {
+    auto triangles = bumpySphereOf(std::uint32_t(std::lround(std::pow(10, halfDecade / 2.0))));
+    normalise(triangles);
+    Place const place{fmt::format("{}", triangles.size()), double(triangles.size())};
+    Scene const scene = ballInBox(std::move(triangles));
+    ModeTimer timer(scene, settings, options);
+    for (BenchRow& row : timer.run(place, stages)) table.rows.push_back(std::move(row));
+    device = timer.device();
+  }
+  return table;
+}
+
+BenchTable overScenes(const Settings& settings, const BenchOptions& options) {
+  BenchTable table{"an iteration of each scene", "scene", {}, {}};
+  for (std::size_t i = 0; i < std::size(scenes); ++i) {
+    Scene const scene = loadScene(findScene(scenes[i]));
+    ModeTimer timer(scene, settings, options);
+    std::string stages;
+    for (BenchRow& row : timer.run({scenes[i], double(i)}, stages)) table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 }  // namespace
@@ -183,17 +236,8 @@ BenchResult benchModes(const BenchOptions& options) {
   if (settings.width == 0) settings.width = full ? 512 : 192;
   if (settings.height == 0) settings.height = full ? 512 : 192;
   if (!full && settings.photons == Settings{}.photons) settings.photons = 32768;
-  BenchTable table{"an iteration", "triangles", {}, {}};
   std::string stages, device;
-  for (int halfDecade = 2; halfDecade <= (full ? 12 : 10); ++halfDecade) {
-    auto triangles = bumpySphereOf(std::uint32_t(std::lround(std::pow(10, halfDecade / 2.0))));
-    normalise(triangles);
-    std::size_t const count = triangles.size();
-    Scene const scene = ballInBox(std::move(triangles));
-    ModeTimer timer(scene, settings, options);
-    for (BenchRow& row : timer.run(count, stages)) table.rows.push_back(std::move(row));
-    device = timer.device();
-  }
+  BenchTable table = againstTriangles(settings, options, stages, device);
   table.remarks = {
       "photon trace: the share of TracePhotons and TraceTails in an iteration whose stages are timed one by "
       "one",
@@ -201,8 +245,11 @@ BenchResult benchModes(const BenchOptions& options) {
   BenchResult result = startResult("modes", device, options,
                                    fmt::format("bumpy ball in a closed lit box, {} × {} pixels, {} photon paths",
                                                settings.width, settings.height, grouped(settings.photons)));
-  result.tables = {table};
-  result.plots = {{"", plotOf(result, table)}};
+  result.tables = {table, overScenes(settings, options)};
+  std::vector<std::string> const names(std::begin(scenes), std::end(scenes));
+  result.plots = {
+      {"", plotOf(result, table, "One iteration of every mode against triangles", {"triangles", true, {}})},
+      {"scenes", plotOf(result, result.tables[1], "One iteration of every mode, scene by scene", {"", false, names})}};
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What the benchmarks of rays have in common: structures over a mesh, sets of rays, and traversals timed in turn.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,11 +13,14 @@
 
 namespace ropelight {
 
-/// A tree, the two hierarchies and the seconds that each took to build.
+/// A tree, the two hierarchies and the seconds that each build of them took.
 struct BuiltScene {
   StreamScene stream;
-  double treeSeconds = 0, bvhSeconds = 0, widenSeconds = 0;
+  std::vector<double> treeSeconds, bvhSeconds, widenSeconds;
 };
+
+/// What `build` returns, its seconds, done again up to five times or until three seconds are over.
+std::vector<double> timeBuilds(const std::function<double()>& build);
 
 BuiltScene buildStructures(std::vector<FlatTriangle> triangles, const BenchOptions& options);
 

@@ -59,8 +59,11 @@ Trees timeBuilds(std::vector<FlatTriangle> triangles, const BenchOptions& option
     row.seconds = contenders[i].seconds;
     row.value = tree.stats.sahCost;
     row.unit = "SAH cost";
-    row.note = fmt::format("{} references, {} leaves, depth {}, {:.1f} MiB", grouped(tree.references.size()),
-                           grouped(tree.leaves.size()), tree.stats.depth, double(tree.bytes()) / (1 << 20));
+    row.note = fmt::format(
+        "{} references ({:.2f} a triangle), {} leaves of at most {}, depth {}, {:.1f} MiB, ropes {:.1f} ms, {} splits "
+        "not made for want of memory",
+        grouped(tree.references.size()), tree.stats.duplicates, grouped(tree.leaves.size()), tree.stats.largestLeaf,
+        tree.stats.depth, double(tree.bytes()) / (1 << 20), 1e3 * tree.stats.ropeSeconds, tree.stats.budgetHits);
     table.rows.push_back(row);
   }
   return trees;

@@ -56,11 +56,11 @@ LinePlot plotOf(const BenchResult& result, const BenchTable& table) {
 }
 
 void addBuilds(BenchTable& table, const std::string& mesh, const BuiltScene& built, int threads) {
-  auto const add = [&](const char* series, double seconds, std::size_t bytes) {
+  auto const add = [&](const char* series, std::vector<double> seconds, std::size_t bytes) {
     BenchRow row;
     row.series = series;
     row.x = mesh;
-    row.seconds = {seconds};
+    row.seconds = std::move(seconds);
     if (bytes > 0) {
       row.value = double(bytes) / (1 << 20);
       row.unit = "MiB";
@@ -70,7 +70,8 @@ void addBuilds(BenchTable& table, const std::string& mesh, const BuiltScene& bui
   add("kd-tree, binned SAH", built.treeSeconds, built.stream.tree->bytes());
   add("BVH, 2 children", built.bvhSeconds, built.stream.bvh->bytes());
   add("BVH, 4 children, from the one of 2", built.widenSeconds, built.stream.wide->bytes());
-  if (EmbreeScene::supported()) add("Embree, robust", EmbreeScene(*built.stream.flat, true, threads).buildSeconds(), 0);
+  if (!EmbreeScene::supported()) return;
+  add("Embree, robust", timeBuilds([&] { return EmbreeScene(*built.stream.flat, true, threads).buildSeconds(); }), 0);
 }
 
 BenchTable timeSubject(const Subject& subject, const BuiltScene& built, RayStream& stream, const RayImage& image,
