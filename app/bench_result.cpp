@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/text.h"
 #include "app/values.h"
 #include "render/core/version.h"
 
@@ -38,16 +39,11 @@ Cells cellsOf(const BenchResult& result, const BenchRow& row) {
   return cells;
 }
 
-/// Characters, not bytes, of UTF-8.
-std::size_t columnsOf(const std::string& text) {
-  return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 std::string line(const Cells& cells, const std::array<std::size_t, columns>& widths) {
   std::string text = " ";
   for (std::size_t i = 0; i < columns; ++i) {
     bool const numeric = i >= 1 && i <= 5;
-    std::string const space(widths[i] - columnsOf(cells[i]), ' ');
+    std::string const space(widths[i] - letterCount(cells[i]), ' ');
     text += " " + (numeric ? space + cells[i] : cells[i] + space) + (widths[i] > 0 ? " " : "");
   }
   return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
@@ -58,18 +54,11 @@ std::string toText(const BenchResult& result, const BenchTable& table) {
   for (const BenchRow& row : table.rows) lines.push_back(cellsOf(result, row));
   std::array<std::size_t, columns> widths{};
   for (const Cells& cells : lines)
-    for (std::size_t i = 0; i < columns; ++i) widths[i] = std::max(widths[i], columnsOf(cells[i]));
+    for (std::size_t i = 0; i < columns; ++i) widths[i] = std::max(widths[i], letterCount(cells[i]));
   std::string text = "\n  " + table.name + "\n";
   for (const Cells& cells : lines) text += line(cells, widths);
   for (const std::string& remark : table.remarks) text += "  " + remark + "\n";
   return text;
-}
-
-/// Quoted as RFC 4180 has it.
-std::string quoted(const std::string& text) {
-  std::string cell = "\"";
-  for (char const c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
-  return cell + "\"";
 }
 
 std::string joined(const std::string& a, const std::string& b) { return a + (a.empty() || b.empty() ? "" : " ") + b; }
@@ -80,10 +69,10 @@ std::string toCsv(const BenchResult& result, const BenchTable& table, const Benc
     Spread const s = summarise(row.seconds);
     times = fmt::format("{},{},{}", s.median, s.min, s.max);
   }
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", result.bench, quoted(table.name), quoted(row.series),
-                     quoted(row.x), times, std::isfinite(row.value) ? formatValue(row.value) : "", quoted(row.unit),
-                     quoted(result.device), result.threads, result.seed, quoted(joined(result.settings, row.settings)),
-                     quoted(noteOf(result, row)));
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", result.bench, quoteCsv(table.name), quoteCsv(row.series),
+                     quoteCsv(row.x), times, std::isfinite(row.value) ? formatValue(row.value) : "", quoteCsv(row.unit),
+                     quoteCsv(result.device), result.threads, result.seed,
+                     quoteCsv(joined(result.settings, row.settings)), quoteCsv(noteOf(result, row)));
 }
 
 nlohmann::ordered_json toJson(const BenchResult& result, const BenchTable& table, const BenchRow& row) {

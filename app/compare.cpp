@@ -8,27 +8,34 @@
 
 #include "app/output.h"
 #include "render/core/error.h"
+#include "render/film/flip.h"
 #include "render/film/image_file.h"
 #include "render/film/metrics.h"
 
 namespace ropelight {
 namespace {
 
+struct Comparison {
+  Metrics metrics;
+  FlipResult flip;
+};
+
 /// One row of the table: its name on the command line and in JSON, its label, its value.
 struct Figure {
   const char* name;
   const char* label;
-  double (*value)(const Metrics&);
+  double (*value)(const Comparison&);
 };
 
 constexpr Figure figures[] = {
-    {"mse", "MSE", [](const Metrics& m) { return m.mse; }},
-    {"rmse", "RMSE", [](const Metrics& m) { return m.rmse; }},
-    {"relmse", "relMSE", [](const Metrics& m) { return m.relMse; }},
-    {"relmse-trimmed", "relMSE without worst 0.1%", [](const Metrics& m) { return m.relMseTrimmed; }},
-    {"psnr", "PSNR (dB)", [](const Metrics& m) { return m.psnr; }},
-    {"mean", "mean error", [](const Metrics& m) { return m.meanError; }},
-    {"max", "largest error", [](const Metrics& m) { return m.maxError; }},
+    {"mse", "MSE", [](const Comparison& c) { return c.metrics.mse; }},
+    {"rmse", "RMSE", [](const Comparison& c) { return c.metrics.rmse; }},
+    {"relmse", "relMSE", [](const Comparison& c) { return c.metrics.relMse; }},
+    {"relmse-trimmed", "relMSE without worst 0.1%", [](const Comparison& c) { return c.metrics.relMseTrimmed; }},
+    {"psnr", "PSNR (dB)", [](const Comparison& c) { return c.metrics.psnr; }},
+    {"mean", "mean error", [](const Comparison& c) { return c.metrics.meanError; }},
+    {"max", "largest error", [](const Comparison& c) { return c.metrics.maxError; }},
+    {"flip", "mean FLIP", [](const Comparison& c) { return c.flip.mean; }},
 };
 
 const Figure& figureOf(const std::string& name) {
@@ -44,18 +51,19 @@ void checkOptions(const CompareOptions& options) {
     throw Error("--threshold nan: expected a number; give one", ExitCode::usage);
   if (options.epsilon && !(std::isfinite(*options.epsilon) && *options.epsilon >= 0))
     throw Error(fmt::format("--epsilon {}: expected a number from 0; give one", *options.epsilon), ExitCode::usage);
-  if (!options.errorImage.empty()) {
-    imageFormatOf(options.errorImage);
-    requireWritable(options.errorImage);
+  for (const std::string& image : {options.errorImage, options.flipImage}) {
+    if (image.empty()) continue;
+    imageFormatOf(image);
+    requireWritable(image);
   }
   if (!options.json.empty() && options.json != "-") requireWritable(options.json);
 }
 
 /// Written so that NaN misses every threshold; so do pixels that the figures had to leave out.
-bool meetsThreshold(const CompareOptions& options, const Metrics& metrics) {
+bool meetsThreshold(const CompareOptions& options, const Comparison& comparison) {
   if (!options.threshold) return true;
-  if (metrics.nonFinite > 0 || metrics.nonFiniteReference > 0) return false;
-  const double value = figureOf(options.metric).value(metrics);
+  if (comparison.metrics.nonFinite > 0 || comparison.metrics.nonFiniteReference > 0) return false;
+  const double value = figureOf(options.metric).value(comparison);
   return options.metric == "psnr" ? value >= *options.threshold : std::abs(value) <= *options.threshold;
 }
 
@@ -65,23 +73,25 @@ void printRow(std::FILE* out, const char* label, const std::string& value) {
 
 std::string formatRgb(const std::array<double, 3>& c) { return fmt::format("{:.6g} {:.6g} {:.6g}", c[0], c[1], c[2]); }
 
-void printTable(std::FILE* out, const CompareOptions& options, const Metrics& metrics, const Image& image) {
+void printTable(std::FILE* out, const CompareOptions& options, const Comparison& comparison, const Image& image) {
+  const Metrics& metrics = comparison.metrics;
   fmt::print(out, "{} against {}, {} x {} pixels\n", options.image, options.reference, image.width, image.height);
-  for (const Figure& figure : figures) printRow(out, figure.label, fmt::format("{:.6g}", figure.value(metrics)));
+  for (const Figure& figure : figures) printRow(out, figure.label, fmt::format("{:.6g}", figure.value(comparison)));
   printRow(out, "mean of the image", formatRgb(metrics.mean));
   printRow(out, "mean of the reference", formatRgb(metrics.meanReference));
   printRow(out, "epsilon of relMSE", fmt::format("{:.6g}", metrics.epsilon));
   printRow(out, "pixels not finite", fmt::format("{}, reference {}", metrics.nonFinite, metrics.nonFiniteReference));
   if (options.threshold)
-    fmt::print(out, "{}: {} {} {:.6g}\n", meetsThreshold(options, metrics) ? "passed" : "FAILED", options.metric,
+    fmt::print(out, "{}: {} {} {:.6g}\n", meetsThreshold(options, comparison) ? "passed" : "FAILED", options.metric,
                options.metric == "psnr" ? "at least" : "at most", *options.threshold);
 }
 
 /// Values that are not finite become null.
-nlohmann::ordered_json toJson(const CompareOptions& options, const Metrics& metrics, const Image& image) {
+nlohmann::ordered_json toJson(const CompareOptions& options, const Comparison& comparison, const Image& image) {
+  const Metrics& metrics = comparison.metrics;
   nlohmann::ordered_json json = {
       {"image", options.image}, {"reference", options.reference}, {"width", image.width}, {"height", image.height}};
-  for (const Figure& figure : figures) json[figure.name] = figure.value(metrics);
+  for (const Figure& figure : figures) json[figure.name] = figure.value(comparison);
   json["image-mean"] = metrics.mean;
   json["reference-mean"] = metrics.meanReference;
   json["epsilon"] = metrics.epsilon;
@@ -91,7 +101,7 @@ nlohmann::ordered_json toJson(const CompareOptions& options, const Metrics& metr
   if (options.threshold) {
     json["metric"] = options.metric;
     json["threshold"] = *options.threshold;
-    json["passed"] = meetsThreshold(options, metrics);
+    json["passed"] = meetsThreshold(options, comparison);
   }
   return json;
 }
@@ -108,12 +118,13 @@ int runCompare(const CompareOptions& options) {
   checkOptions(options);
   const Image image = readImage(options.image), reference = readImage(options.reference);
   const MetricsOptions metricsOptions = {.epsilon = options.epsilon};
-  const Metrics metrics = compareImages(image, reference, metricsOptions);
-  printTable(options.json == "-" ? stderr : stdout, options, metrics, image);
+  const Comparison comparison = {compareImages(image, reference, metricsOptions), flip(image, reference)};
+  printTable(options.json == "-" ? stderr : stdout, options, comparison, image);
 
   if (!options.errorImage.empty()) writeImage(options.errorImage, errorImage(image, reference, metricsOptions));
-  if (!options.json.empty()) writeJson(options.json, toJson(options, metrics, image));
-  return int(meetsThreshold(options, metrics) ? ExitCode::done : ExitCode::checkFailed);
+  if (!options.flipImage.empty()) writeImage(options.flipImage, comparison.flip.map);
+  if (!options.json.empty()) writeJson(options.json, toJson(options, comparison, image));
+  return int(meetsThreshold(options, comparison) ? ExitCode::done : ExitCode::checkFailed);
 }
 
 }  // namespace ropelight

@@ -14,10 +14,11 @@ struct CompareOptions {
   std::optional<double> threshold;  ///< the check fails above it; for psnr, below it
   std::optional<double> epsilon;    ///< of relMSE; by default 0.01·mean(reference²)
   std::string errorImage;           ///< .exr or .png to write the signed relative error to; empty: none
+  std::string flipImage;            ///< .exr or .png to write the FLIP map to, grey, 0 to 1; empty: none
   std::string json;                 ///< file for the figures, "-" for standard output; empty: none
 };
 
-/// mse, rmse, relmse, relmse-trimmed, psnr, mean (|signed mean error|), max.
+/// mse, rmse, relmse, relmse-trimmed, psnr, mean (|signed mean error|), max, flip (its mean).
 std::vector<std::string> compareMetricNames();
 
 /// Prints a table (on standard error where standard output is for JSON) and writes the files asked for. Returns the

@@ -24,6 +24,7 @@ int run(const DevicesOptions& options) { return runDevices(options); }
 int run(const CompareOptions& options) { return runCompare(options); }
 int run(const BenchOptions& options) { return runBench(options); }
 int run(const StressOptions& options) { return runStress(options); }
+int run(const ConvergeOptions& options) { return runConverge(options); }
 
 int fail(const char* message, ExitCode code) {
   std::fprintf(stderr, "ropelight: %s\n", message);

@@ -25,8 +25,8 @@ void addSceneName(CLI::App& app, std::string& scene) {
   app.add_option("SCENE", scene, "scene file (.json, .obj) or the name of an asset")->required()->type_name("");
 }
 
-void addFile(CLI::App& app, const char* flags, std::string& file, const char* doc) {
-  app.add_option(flags, file, doc)->type_name("FILE")->take_last();
+CLI::Option* addFile(CLI::App& app, const char* flags, std::string& file, const char* doc) {
+  return app.add_option(flags, file, doc)->type_name("FILE")->take_last();
 }
 
 void checkName(const char* option, const std::string& name, const std::vector<std::string>& known) {
@@ -117,6 +117,7 @@ Command parseCompare(const char* name, const char* doc, Arguments arguments) {
     addValue(app, "--threshold", o.threshold, ParamInfo{"fail (exit 6) above it; for psnr, below it"});
     addValue(app, "--epsilon", o.epsilon, ParamInfo{"of relMSE; by default 0.01 mean(reference^2)", 0});
     addFile(app, "--error-image", o.errorImage, "write the signed relative error, .exr or .png");
+    addFile(app, "--flip-image", o.flipImage, "write where the images look different (FLIP), .exr or .png");
     addFile(app, "--json", o.json, jsonDoc);
   });
 }
@@ -149,6 +150,46 @@ Command parseStress(const char* name, const char* doc, Arguments arguments) {
   });
 }
 
+/// Quoted where a shell would need it.
+std::string asTyped(const Arguments& arguments) {
+  std::string line = "ropelight converge";
+  for (const std::string& a : arguments)
+    line += a.find_first_of(" {}*?'\"$&;|<>()") == std::string::npos ? " " + a : fmt::format(" '{}'", a);
+  return line;
+}
+
+Command parseConverge(const char* name, const char* doc, Arguments arguments) {
+  std::string const commandLine = asTyped(arguments);
+  Command command = parse<ConvergeOptions>(name, doc, std::move(arguments), [](CLI::App& app, ConvergeOptions& o) {
+    app.add_option("SCENE", o.scenes, "scene files or names of assets")->type_name("");
+    addFile(app, "--scenes", o.sceneList, "more scenes, apart by commas")->type_name("LIST");
+    addFile(app, "--modes", o.modes, "what to compare, apart by commas, settings after colons: path,sppm:alpha=0.5")
+        ->type_name("LIST")
+        ->default_str(o.modes);
+    addValue(app, "--time", o.time, ParamInfo{"limit of every run; 10 without a limit", 1e-3, 1e9, "seconds"})
+        ->default_str("");
+    addValue(app, "--iterations", o.iterations, ParamInfo{"limit of every run", 1, 1e15})->default_str("");
+    addValue(app, "--seeds", o.seeds, ParamInfo{"runs of every mode", 1, 1000});
+    addFile(app, "--reference", o.reference, ".exr to measure against; {scene} stands for the scene's file name");
+    addValue(app, "--reference-time", o.referenceTime,
+             ParamInfo{"to make a reference in; 8 times --time unless given", 1e-3, 1e9, "seconds"})
+        ->default_str("");
+    addFile(app, "--reference-mode", o.referenceMode,
+            "what makes it: path, or sppm with mirrors or glass, unless given")
+        ->type_name("MODE");
+    addValue(app, "--reference-noise", o.referenceNoise, ParamInfo{"relMSE of the noise of --reference", 0});
+    addFile(app, "--save-reference", o.saveReference, ".exr to keep a made reference in; {scene} as above");
+    addValue(app, "--epsilon", o.epsilon, ParamInfo{"of relMSE; by default 0.01 mean(reference^2)", 0});
+    app.add_flag("--trimmed", o.trimmed, "leave the worst 0.1% of pixels out of the headline figure");
+    app.add_option("--out", o.out, "folder for the report")->type_name("FOLDER")->take_last()->default_str(o.out);
+    addFile(app, "--json", o.json, "write all figures as JSON; '-': standard output");
+    app.add_flag("--quiet", o.quiet, "no progress");
+    addSceneArguments(app, o.scene);
+  });
+  if (auto* options = std::get_if<ConvergeOptions>(&command)) options->commandLine = commandLine;
+  return command;
+}
+
 struct Subcommand {
   const char* name;
   const char* arguments;
@@ -163,6 +204,7 @@ constexpr Subcommand subcommands[] = {
     {"devices", "", "List the CPU and the GPUs.", parseDevices},
     {"compare", "IMAGE REFERENCE", "Measure how far an image is from a reference.", parseCompare},
     {"bench", "[NAME...]", "Measure speed.", parseBench},
+    {"converge", "SCENE...", "Measure error against run time, mode by mode.", parseConverge},
     {"stress", "", "Check every traversal on the rays and meshes on which tracers fail.", parseStress},
 };
 

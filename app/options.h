@@ -6,6 +6,7 @@
 
 #include "app/bench.h"
 #include "app/compare.h"
+#include "app/converge.h"
 #include "app/devices.h"
 #include "app/info.h"
 #include "app/render.h"
@@ -20,7 +21,7 @@ struct Message {
 };
 
 using Command = std::variant<Message, ViewOptions, RenderOptions, InfoOptions, DevicesOptions, CompareOptions,
-                             BenchOptions, StressOptions>;
+                             BenchOptions, StressOptions, ConvergeOptions>;
 
 /// Reads the arguments, the program's name first. Throws Error (usage) naming the argument and what was expected.
 Command parseCommandLine(int argc, const char* const* argv);

@@ -4,8 +4,8 @@
 
 #include <type_traits>
 
+#include "app/assign_setting.h"
 #include "render/core/error.h"
-#include "render/scene/suggest.h"
 
 namespace ropelight {
 namespace {
@@ -37,21 +37,6 @@ void addSettings(CLI::App& app, Settings& settings) {
 }
 
 }  // namespace
-
-void assignSetting(Settings& settings, const std::string& key, const std::string& text) {
-  bool found = false;
-  std::vector<std::string> names;
-  settings.params([&](const std::string& name, auto& value, const ParamInfo& info) {
-    names.push_back(name);
-    if (name != key) return;
-    parseValue("-D " + name, text, info, value);
-    found = true;
-  });
-  if (found) return;
-  throw Error(
-      fmt::format("-D {}: there is no such setting{}; there are: {}", key, suggestion(key, names), joinNames(names)),
-      ExitCode::usage);
-}
 
 void addBackendArguments(CLI::App& app, BackendChoice& backend) {
   addValue(app, "--backend", backend.backend, ParamInfo{"auto (first usable GPU, else the CPU), cuda or cpu"});

@@ -23,7 +23,4 @@ void addBackendArguments(CLI::App& app, BackendChoice& backend);
 /// Adds the scene's options: backend, GPU, threads, one option for every value of Settings::params, and -D.
 void addSceneArguments(CLI::App& app, SceneOptions& options);
 
-/// Sets one value of the params list by its name. Throws Error (usage); for an unknown key it lists those there are.
-void assignSetting(Settings& settings, const std::string& key, const std::string& text);
-
 }  // namespace ropelight

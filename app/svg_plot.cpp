@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "app/svg_axis.h"
+#include "app/text.h"
 
 namespace ropelight {
 namespace {
 
-constexpr double width = 860;
+constexpr double narrowest = 860, legendLeft = 52, legendLetter = 8.2;  // a letter's width is a guess on the safe side
 constexpr std::size_t captionColumns = 132;
 constexpr double captionLine = 15, captionTop = 490, legendLine = 22;
 
@@ -25,23 +27,6 @@ constexpr const char* style =
     ".major{stroke:#dcdcdc;stroke-width:1}.minor{stroke:#f0f0f0;stroke-width:1}"
     ".frame{fill:none;stroke:#888;stroke-width:1}.line{fill:none;stroke-width:2;stroke-linejoin:round}"
     ".dashed{stroke-dasharray:6 5}.band{stroke:none;fill-opacity:0.16}.mark{stroke-width:1.8}";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char const c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  }
-  return out;
-}
 
 /// Broken at spaces; a word longer than a line has one to itself.
 std::vector<std::string> wrapped(const std::string& text) {
@@ -82,7 +67,7 @@ std::string path(const std::vector<Pixel>& points) {
 
 std::string textAt(double x, double y, const char* kind, const char* anchor, const std::string& text) {
   return fmt::format("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", kind, x, y, anchor,
-                     escaped(text));
+                     escapeMarkup(text));
 }
 
 /// Filled in the curve's colour, or hollow.
@@ -125,6 +110,7 @@ class Drawing {
 
   std::string text() {
     auto const caption = wrapped(plot_.caption);
+    double const width = fittingWidth();
     double const height = captionTop + captionLine * double(caption.size());
     out_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
@@ -133,7 +119,7 @@ class Drawing {
         width, height, style);
     out_ += textAt(area_.left, 30, "title", "start", plot_.title);
     axes();
-    for (std::size_t i = 0; i < plot_.curves.size(); ++i) band(plot_.curves[i], colours[i % std::size(colours)]);
+    for (std::size_t i = 0; i < plot_.curves.size(); ++i) band(plot_.curves[i], curveColour(i));
     for (std::size_t i = 0; i < plot_.curves.size(); ++i) curve(plot_.curves[i], i);
     legend();
     for (std::size_t i = 0; i < caption.size(); ++i)
@@ -142,6 +128,13 @@ class Drawing {
   }
 
  private:
+  /// Wide enough for the names in the legend.
+  double fittingWidth() const {
+    std::size_t letters = 0;
+    for (const Curve& curve : plot_.curves) letters = std::max(letters, letterCount(curve.name));
+    return std::max(narrowest, std::ceil(area_.right + legendLeft + legendLetter * double(letters)));
+  }
+
   double pixelX(double x) const { return area_.left + x_.position(x) * (area_.right - area_.left); }
   double pixelY(double y) const { return area_.bottom - y_.position(y) * (area_.bottom - area_.top); }
 
@@ -171,7 +164,7 @@ class Drawing {
     out_ += fmt::format(
         "<text class=\"axis\" transform=\"translate(24 {:.2f}) rotate(-90)\" "
         "text-anchor=\"middle\">{}</text>\n",
-        (area_.top + area_.bottom) / 2, escaped(plot_.y.label));
+        (area_.top + area_.bottom) / 2, escapeMarkup(plot_.y.label));
   }
 
   void band(const Curve& curve, const char* colour) {
@@ -187,7 +180,7 @@ class Drawing {
 
   /// Stretches of solid and dashed line, then the markers over them.
   void curve(const Curve& curve, std::size_t index) {
-    const char* const colour = colours[index % std::size(colours)];
+    const char* const colour = curveColour(index);
     std::vector<Pixel> stretch;
     std::string marks;
     bool dashed = false, before = false;
@@ -221,12 +214,12 @@ class Drawing {
   void legend() {
     double y = area_.top + 10;
     for (std::size_t i = 0; i < plot_.curves.size(); ++i, y += legendLine) {
-      const char* const colour = colours[i % std::size(colours)];
+      const char* const colour = curveColour(i);
       double const x = area_.right + 16;
       if (plot_.curves[i].connected)
         out_ += fmt::format("<path class=\"line\" stroke=\"{}\" d=\"{}\"/>\n", colour, path({{x, y}, {x + 28, y}}));
       out_ += marker({x + 14, y}, i, colour, false);
-      out_ += textAt(x + 36, y + 4.5, "legend", "start", plot_.curves[i].name);
+      out_ += textAt(area_.right + legendLeft, y + 4.5, "legend", "start", plot_.curves[i].name);
     }
   }
 
@@ -237,6 +230,8 @@ class Drawing {
 };
 
 }  // namespace
+
+const char* curveColour(std::size_t index) { return colours[index % std::size(colours)]; }
 
 std::string toSvg(const LinePlot& plot) { return Drawing(plot).text(); }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Line plots as SVG text: one self-contained file, the same bytes for the same numbers.
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -42,6 +43,9 @@ struct LinePlot {
 /// logarithmic axis; a band's end likewise. Colours are Okabe & Ito's (2008), which the colour-blind can tell apart,
 /// and every curve has a marker of its own.
 std::string toSvg(const LinePlot& plot);
+
+/// Of the index-th curve of a plot, "#0072b2"; they repeat.
+const char* curveColour(std::size_t index);
 
 /// Where plots are drawn, in pixels of the SVG's own coordinates.
 struct PlotArea {

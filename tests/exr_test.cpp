@@ -61,6 +61,16 @@ void writeTiled(const std::filesystem::path& path, const Image& image) {
   file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
 }
 
+/// A pixel whose header states these colours.
+void writeWithColours(const std::filesystem::path& path, const Imf::Chromaticities& colours) {
+  const Imf::Rgba pixel(1.0f, 1.0f, 1.0f);
+  Imf::Header header(1, 1);
+  Imf::addChromaticities(header, colours);
+  Imf::RgbaOutputFile file(path.c_str(), header, Imf::WRITE_RGB);
+  file.setFrameBuffer(&pixel, 1, 1);
+  file.writePixels(1);
+}
+
 }  // namespace
 
 TEST_CASE("An EXR keeps every bit of every float") {
@@ -163,6 +173,31 @@ TEST_CASE("Luminance alone reads as grey, and other sets of channels are refused
   refused(Imf::WRITE_A, "A");
   writeHalf(folder / "chroma.exr", Image(4, 4), Imf::WRITE_YC, {0, 0});
   CHECK_THROWS_AS(readExr(folder / "chroma.exr"), Error);
+}
+
+TEST_CASE("Colours other than those of Rec. 709 are named, and a file that states none is taken as ours") {
+  TemporaryFolder folder;
+  const auto found = [&](const Imf::Chromaticities& colours) {
+    writeWithColours(folder / "a.exr", colours);
+    return foreignColours(folder / "a.exr");
+  };
+  using Imath::V2f;
+  const Imf::Chromaticities ours;
+  CHECK(found(ours).empty());
+  CHECK(found({ours.red + V2f(0.0009f, 0), ours.green, ours.blue, ours.white - V2f(0, 0.0009f)}).empty());
+  CHECK(found({ours.red, ours.green, ours.blue, ours.white + V2f(0, 0.0011f)}) ==
+        "primaries (0.64 0.33) (0.3 0.6) (0.15 0.06), white (0.3127 0.3301)");
+  CHECK(found({{0.680f, 0.320f}, {0.265f, 0.690f}, {0.150f, 0.060f}, {0.3127f, 0.3290f}}) ==  // P3 with D65
+        "primaries (0.68 0.32) (0.265 0.69) (0.15 0.06), white (0.3127 0.329)");
+  CHECK(found({{0.7347f, 0.2653f}, {0, 1}, {0.0001f, -0.0770f}, {0.32168f, 0.33767f}}) ==  // ACES 2065-1
+        "primaries (0.7347 0.2653) (0 1) (0.0001 -0.077), white (0.32168 0.33767)");
+  CHECK(!found({ours.red, ours.green, ours.blue, {std::numeric_limits<float>::quiet_NaN(), 0.329f}}).empty());
+
+  writeHalf(folder / "silent.exr", gradient(2, 2), Imf::WRITE_RGB, {0, 0});
+  CHECK(foreignColours(folder / "silent.exr").empty());
+  writeExr(folder / "own.exr", gradient(2, 2));
+  CHECK(foreignColours(folder / "own.exr").empty());
+  CHECK_THROWS_AS(foreignColours(folder / "missing.exr"), Error);
 }
 
 TEST_CASE("Files that are missing, of another kind or cut short are refused") {

@@ -171,6 +171,14 @@ TEST_CASE("A PNG says that it is sRGB, with a correct checksum") {
   CHECK(bytes.find("IDAT") > type);
 }
 
+TEST_CASE("A PNG in memory has the bytes of the file") {
+  TemporaryFolder folder;
+  writePng(folder / "a.png", cornersImage(), {.exposure = 1});
+  const std::vector<std::uint8_t> bytes = encodePng(cornersImage(), {.exposure = 1});
+  CHECK(std::string(bytes.begin(), bytes.end()) == fileBytes(folder / "a.png"));
+  CHECK_THROWS_AS(encodePng(Image()), Error);
+}
+
 TEST_CASE("A PNG reads back as linear values, in place") {
   TemporaryFolder folder;
   writePng(folder / "corners.PNG", cornersImage());

@@ -8,18 +8,17 @@
 namespace ropelight::view {
 namespace {
 
-constexpr double spacing = 1.2;
 constexpr std::size_t budget = std::size_t(256) << 20;
 
 }  // namespace
 
 void ErrorCurve::clear() {
   entries_.clear();
-  next_ = 0;
+  schedule_.restart();
 }
 
 void ErrorCurve::add(double seconds, double iterations, Image picture) {
-  next_ = seconds * spacing;
+  schedule_.taken(seconds);
   entries_.push_back({{seconds, iterations, 0}, std::move(picture), 0});
   thin();
 }

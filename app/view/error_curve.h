@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "app/sample_schedule.h"
 #include "app/view/renderer.h"
 
 namespace ropelight::view {
@@ -11,7 +12,7 @@ class ErrorCurve {
  public:
   void clear();
   /// Whether a picture is due after so many seconds of the estimate's own time.
-  bool due(double seconds) const { return seconds >= next_; }
+  bool due(double seconds) const { return schedule_.due(seconds); }
   /// Pictures beyond 256 MiB, and beyond eight, are thinned out, the oldest first.
   void add(double seconds, double iterations, Image picture);
   /// Measures what was not yet measured against this version of the reference. Pictures of another size are left out.
@@ -32,7 +33,7 @@ class ErrorCurve {
 
   std::vector<Entry> entries_;
   std::uint64_t version_ = 0;  ///< of the latest reference
-  double next_ = 0;
+  SampleSchedule schedule_{1.2};
 };
 
 }  // namespace ropelight::view

@@ -12,24 +12,14 @@ constexpr double narrowest = 3;        // factor that an axis spans at least
 constexpr double equallyClose = 0.02;  // relative difference that noise alone may make
 constexpr double smallest = 1e-300, largest = 1e300;
 
-bool isPositive(double v) { return v > 0 && std::isfinite(v); }
-
 bool inside(LogRange range, double v) { return v >= range.low && v <= range.high; }
 
 }  // namespace
 
-bool isPlottable(PlotPoint p) { return isPositive(p.x) && isPositive(p.y); }
-
-std::vector<PlotPoint> plottable(const std::vector<PlotPoint>& points) {
-  std::vector<PlotPoint> kept;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(kept), isPlottable);
-  return kept;
-}
-
 LogRange logRange(const std::vector<double>& values, double margin) {
   double low = largest, high = 0;
   for (double v : values) {
-    if (!isPositive(v)) continue;
+    if (!isPlottable({v, v})) continue;
     low = std::min(low, v);
     high = std::max(high, v);
   }
@@ -65,40 +55,6 @@ std::vector<AxisTick> logTicks(LogRange range, int mostLabels) {
       ticks.push_back({value, labelled ? fmt::format("{:.3g}", value) : std::string()});
     }
   return ticks;
-}
-
-double PowerLaw::at(double x) const { return factor * std::pow(x, exponent); }
-
-std::optional<PowerLaw> fitPowerLaw(const std::vector<PlotPoint>& points) {
-  std::vector<PlotPoint> const usable = plottable(points);
-  if (usable.size() < 3) return std::nullopt;
-  std::size_t const count = std::max<std::size_t>(3, (usable.size() + 1) / 2);
-  auto const first = usable.end() - std::ptrdiff_t(count);
-
-  double meanX = 0, meanY = 0;
-  for (auto p = first; p != usable.end(); ++p) {
-    meanX += std::log(p->x) / double(count);
-    meanY += std::log(p->y) / double(count);
-  }
-  double xx = 0, xy = 0;
-  for (auto p = first; p != usable.end(); ++p) {
-    double const dx = std::log(p->x) - meanX;
-    xx += dx * dx;
-    xy += dx * (std::log(p->y) - meanY);
-  }
-  if (!(xx > 1e-12)) return std::nullopt;
-  double const exponent = xy / xx;
-  return PowerLaw{std::exp(meanY - exponent * meanX), exponent};
-}
-
-std::optional<double> interpolateLog(const std::vector<PlotPoint>& points, double x) {
-  std::vector<PlotPoint> const usable = plottable(points);
-  if (usable.empty() || !(x >= usable.front().x && x <= usable.back().x)) return std::nullopt;
-  auto const after = std::lower_bound(usable.begin(), usable.end(), x, [](PlotPoint p, double t) { return p.x < t; });
-  if (after->x == x) return after->y;
-  PlotPoint const a = *(after - 1), b = *after;
-  double const share = (std::log(x) - std::log(a.x)) / (std::log(b.x) - std::log(a.x));
-  return std::exp(std::log(a.y) * (1 - share) + std::log(b.y) * share);
 }
 
 std::string closerSentence(const std::vector<PlotPoint>& a, const std::vector<PlotPoint>& b) {

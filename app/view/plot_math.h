@@ -1,19 +1,19 @@
 #pragma once
-// The arithmetic of log-log plots: axes, ticks, power laws, interpolation. No window.
+// The arithmetic of log-log plots: axes, ticks, which curve is lower. No window.
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/curve_math.h"
+
 namespace ropelight::view {
 
-struct PlotPoint {
-  double x = 0, y = 0;
-};
-
-/// Both coordinates are positive and finite, so that they have a place on logarithmic axes.
-bool isPlottable(PlotPoint p);
-std::vector<PlotPoint> plottable(const std::vector<PlotPoint>& points);
+using ropelight::fitPowerLaw;
+using ropelight::interpolateLog;
+using ropelight::isPlottable;
+using ropelight::PlotPoint;
+using ropelight::plottable;
+using ropelight::PowerLaw;
 
 /// Of a logarithmic axis: 0 < low < high.
 struct LogRange {
@@ -36,19 +36,6 @@ struct AxisTick {
 /// Powers of ten with labels, thinned to at most `mostLabels`; 2 to 9 times them without, where decades are not
 /// thinned. Where fewer than two powers of ten lie inside, 2 and 5 times them have labels too.
 std::vector<AxisTick> logTicks(LogRange range, int mostLabels);
-
-/// y = factor · x^exponent.
-struct PowerLaw {
-  double factor = 0, exponent = 0;
-  double at(double x) const;
-};
-
-/// Least squares on the logarithms over the later half of the plottable points, at least three of them. Empty where
-/// there are fewer, or where they have one x alone.
-std::optional<PowerLaw> fitPowerLaw(const std::vector<PlotPoint>& points);
-
-/// Linear between the logarithms of neighbours; points by ascending x. Empty outside their range.
-std::optional<double> interpolateLog(const std::vector<PlotPoint>& points, double x);
 
 /// Which of two error curves (seconds, error) is lower at the largest time that both have reached, as one sentence.
 /// Below 2% of difference neither is called closer.

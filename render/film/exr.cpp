@@ -16,9 +16,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -122,6 +124,19 @@ Metadata collectMetadata(const Imf::Header& header) {
   return metadata;
 }
 
+std::array<Imath::V2f, 4> pointsOf(const Imf::Chromaticities& c) { return {c.red, c.green, c.blue, c.white}; }
+
+/// Written so that a NaN is far from everything.
+bool isNear(Imath::V2f a, Imath::V2f b) { return std::abs(a.x - b.x) <= 1e-3f && std::abs(a.y - b.y) <= 1e-3f; }
+
+std::string describeForeign(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return {};
+  const auto found = pointsOf(Imf::chromaticities(header)), ours = pointsOf(Imf::Chromaticities());
+  if (std::equal(found.begin(), found.end(), ours.begin(), isNear)) return {};
+  const auto text = [](Imath::V2f point) { return fmt::format("({:.5g} {:.5g})", point.x, point.y); };
+  return fmt::format("primaries {} {} {}, white {}", text(found[0]), text(found[1]), text(found[2]), text(found[3]));
+}
+
 /// Opens the file and hands it to `use`; what the library throws becomes an Error that names the file.
 template <class Use>
 auto withFile(const fs::path& path, Use use) {
@@ -166,6 +181,10 @@ Image readExr(const fs::path& path) {
 
 Metadata readExrMetadata(const fs::path& path) {
   return withFile(path, [](Imf::InputFile& file) { return collectMetadata(file.header()); });
+}
+
+std::string foreignColours(const fs::path& path) {
+  return withFile(path, [](Imf::InputFile& file) { return describeForeign(file.header()); });
 }
 
 }  // namespace ropelight

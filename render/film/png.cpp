@@ -29,11 +29,11 @@ void appendBytes(void* file, void* data, int size) {
   static_cast<std::string*>(file)->append(static_cast<const char*>(data), std::size_t(size));
 }
 
-void checkSize(const std::filesystem::path& path, int width, int height) {
+void checkSize(const std::string& what, int width, int height) {
   const std::size_t pixels = std::size_t(width) * std::size_t(height);
   if (pixels == 0 || pixels > maxBytes / 3)
-    throw Error(fmt::format("{}: an image of {} x {} pixels does not fit into a PNG here; write .exr instead",
-                            path.string(), width, height));
+    throw Error(fmt::format("{}: an image of {} x {} pixels does not fit into a PNG here; write .exr instead", what,
+                            width, height));
 }
 
 /// The sRGB chunk (PNG 3rd edition, §11.3.2.5; perceptual intent), whose place is behind signature and IHDR.
@@ -43,23 +43,33 @@ void markAsSrgb(std::string& file) {
   file.insert(behindHeader, chunk, sizeof(chunk) - 1);
 }
 
+std::string fileOf(int width, int height, std::span<const std::uint8_t> bytes) {
+  assert(bytes.size() == std::size_t(width) * std::size_t(height) * 3);
+  std::string file;
+  if (!stbi_write_png_to_func(appendBytes, &file, width, height, 3, bytes.data(), width * 3)) throw std::bad_alloc();
+  markAsSrgb(file);
+  return file;
+}
+
 }  // namespace
 
 std::uint64_t writePng(const std::filesystem::path& path, const Image& image, const Tonemap& tonemap) {
   assert(image.pixels.size() == std::size_t(image.width) * std::size_t(image.height));
-  checkSize(path, image.width, image.height);
+  checkSize(path.string(), image.width, image.height);
   const ScreenImage screen = toScreen(image, tonemap);
   writeScreenPng(path, image.width, image.height, screen.bytes);
   return screen.nonFinite;
 }
 
 void writeScreenPng(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> bytes) {
-  assert(bytes.size() == std::size_t(width) * std::size_t(height) * 3);
-  checkSize(path, width, height);
-  std::string file;
-  if (!stbi_write_png_to_func(appendBytes, &file, width, height, 3, bytes.data(), width * 3)) throw std::bad_alloc();
-  markAsSrgb(file);
-  writeFile(path, file);
+  checkSize(path.string(), width, height);
+  writeFile(path, fileOf(width, height, bytes));
+}
+
+std::vector<std::uint8_t> encodePng(const Image& image, const Tonemap& tonemap) {
+  checkSize("a picture", image.width, image.height);
+  const std::string file = fileOf(image.width, image.height, toScreen(image, tonemap).bytes);
+  return {file.begin(), file.end()};
 }
 
 Image readPng(const std::filesystem::path& path) {

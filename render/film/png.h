@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include "render/film/image.h"
 #include "render/film/tonemap.h"
@@ -16,6 +17,10 @@ std::uint64_t writePng(const std::filesystem::path& path, const Image& image, co
 
 /// Writes bytes that are screen values already: width·height·3, row 0 at the top. Throws Error as writePng does.
 void writeScreenPng(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> bytes);
+
+/// The bytes of the file that writePng would write. Throws Error for an image without pixels, or of more than 1 GiB of
+/// bytes.
+std::vector<std::uint8_t> encodePng(const Image& image, const Tonemap& tonemap = {});
 
 /// Reads a PNG as linear Rec. 709, its values in [0, 1] taken as sRGB, a grey image spread over the three channels and
 /// opacity ignored. Throws Error (badInput) for a file that is missing, damaged or of another format.

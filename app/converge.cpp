@@ -1,0 +1,157 @@
+#include "app/converge.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "app/converge/json.h"
+#include "app/converge/report.h"
+#include "app/converge/runner.h"
+#include "app/interrupt.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/scene_path.h"
+#include "render/core/error.h"
+#include "render/core/version.h"
+#include "render/film/atomic_file.h"
+#include "render/scene/load.h"
+
+namespace ropelight {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+Clock::time_point const processStart = Clock::now();
+
+constexpr double defaultSeconds = 10;
+constexpr double referenceFactor = 8;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::vector<std::string> scenesOf(const ConvergeOptions& options) {
+  std::vector<std::string> scenes = options.scenes;
+  if (!options.sceneList.empty())
+    for (const std::string& scene : splitText(options.sceneList, ',')) scenes.push_back(scene);
+  if (scenes.empty()) throw Error("no scene; name one, or several", ExitCode::usage);
+  return scenes;
+}
+
+ConvergeOptions completed(ConvergeOptions options) {
+  if (options.time == 0 && options.iterations == 0) options.time = defaultSeconds;
+  if (!options.reference.empty() && (options.referenceTime > 0 || !options.saveReference.empty()))
+    throw Error(
+        "--reference: a file and the making of one exclude each other; leave out --reference-time and "
+        "--save-reference",
+        ExitCode::usage);
+  if (options.reference.empty() && options.referenceTime == 0) {
+    if (options.time == 0)
+      throw Error("--iterations: how long a reference may take is not known; give --reference or --reference-time",
+                  ExitCode::usage);
+    options.referenceTime = referenceFactor * options.time;
+  }
+  return options;
+}
+
+RunnerOptions runnerOptions(const ConvergeOptions& o) {
+  RunnerOptions r;
+  r.modes = parseModes(o.modes, o.scene.settings);
+  r.limits = {o.time, o.iterations};
+  r.seeds = o.seeds;
+  r.backend = o.scene.backend;
+  r.trimmed = o.trimmed;
+  r.reference = {o.reference, o.referenceTime, 0, o.referenceMode, o.referenceNoise, o.saveReference, o.epsilon};
+  return r;
+}
+
+Study emptyStudy(const ConvergeOptions& options) {
+  Study study;
+  study.command = options.commandLine;
+  study.version = version;
+  study.threads = options.scene.backend.threads;
+  study.seconds = options.time;
+  study.iterations = options.iterations;
+  study.seeds = options.seeds;
+  study.trimmed = options.trimmed;
+  study.startSeconds = since(processStart);
+  return study;
+}
+
+std::string timeText(const TimeTo& time, std::size_t runs) {
+  if (time.reached == 0) return "not reached";
+  if (std::size_t(time.reached) < runs) return fmt::format("{} of {} runs", time.reached, runs);
+  return fmt::format("{:.3g} s", time.median);
+}
+
+void print(std::FILE* out, const Study& study, const StudyScene& scene) {
+  fmt::print(out, "\n{}: against {}\n", scene.name, scene.reference.origin);
+  fmt::print(out, "  {:<28}{:>12}{:>12}{:>14}{:>14}{:>14}{:>9}\n", "mode", "error", "iterations", "to 0.1", "to 0.01",
+             "to 0.001", "slope");
+  for (const StudyMode& mode : scene.modes) {
+    if (mode.runs.empty() || mode.runs[0].samples.empty()) continue;
+    auto const band = bandOf(mode, CurveAxis::seconds, study.trimmed);
+    fmt::print(out, "  {:<28}{:>12.4g}{:>12}", mode.label,
+               band.empty() ? errorOf(mode.runs[0].samples.back().metrics, study.trimmed) : band.back().median,
+               mode.runs[0].samples.back().iterations);
+    for (double const error : reportedErrors)
+      fmt::print(out, "{:>14}", timeText(timeTo(mode, error, study.trimmed), std::size_t(seedsOf(mode))));
+    fmt::print(out, "{:>9.2f}\n", slopeOf(mode, CurveAxis::seconds, study.trimmed).median);
+    if (!mode.referenceWarning.empty()) fmt::print(out, "    note: {}\n", mode.referenceWarning);
+  }
+  fmt::print(out, "  {}\n", verdictOf(scene, study.trimmed));
+}
+
+/// After every scene, so that a long study leaves what it has.
+void writeReport(const ConvergeOptions& options, const Study& study) {
+  std::filesystem::path const folder = options.out;
+  for (const StudyScene& scene : study.scenes)
+    for (CurveAxis const axis : {CurveAxis::seconds, CurveAxis::iterations})
+      writeFile(folder / fmt::format("{}-{}.svg", std::filesystem::path(scene.file).stem().string(),
+                                     axis == CurveAxis::seconds ? "seconds" : "iterations"),
+                toSvg(errorPlot(study, scene, axis)));
+  writeFile(folder / "samples.csv", toCsv(study));
+  writeFile(folder / "report.html", toHtml(study));
+  if (!options.json.empty() && options.json != "-") writeJson(options.json, toJson(study));
+}
+
+void prepareFolder(const ConvergeOptions& options) {
+  std::error_code failed;
+  std::filesystem::create_directories(options.out, failed);
+  if (failed) throw Error(fmt::format("{}: {}; name a folder that can be made", options.out, failed.message()));
+  requireWritable((std::filesystem::path(options.out) / "report.html").string());
+  if (!options.json.empty() && options.json != "-") requireWritable(options.json);
+}
+
+}  // namespace
+
+int runConverge(const ConvergeOptions& given) {
+  ConvergeOptions const options = completed(given);
+  RunnerOptions runner = runnerOptions(options);
+  std::vector<std::string> const scenes = scenesOf(options);
+  prepareFolder(options);
+  std::FILE* const out = options.json == "-" ? stderr : stdout;
+  Study study = emptyStudy(options);
+  StopOnSignal const stop;
+  runner.stop = [&] { return stop.requested(); };
+  for (const std::string& name : scenes) {
+    auto const start = Clock::now();
+    Scene const scene = loadScene(findScene(name));
+    double const loadSeconds = since(start);
+    if (!options.quiet) fmt::print(stderr, "{}\n", scene.name);
+    double const runs = double(runner.modes.size()) * options.seeds;
+    Progress progress({std::uint64_t(double(options.iterations) * runs), options.time * runs}, options.quiet);
+    runner.progress = [&](std::uint64_t iterations, double seconds) { progress.update(iterations, seconds); };
+    study.scenes.push_back(runModes(scene, options.scene.settings, runner));
+    study.scenes.back().loadSeconds = loadSeconds;
+    study.device = study.scenes.back().device;
+    study.complete = !stop.requested();
+    print(out, study, study.scenes.back());
+    writeReport(options, study);
+    if (stop.requested()) break;
+  }
+  if (!study.complete) fmt::print(stderr, "stopped early\n");
+  if (options.json == "-") writeJson("-", toJson(study));
+  if (!options.quiet) fmt::print(out, "\nwrote {}\n", (std::filesystem::path(options.out) / "report.html").string());
+  return int(ExitCode::done);
+}
+
+}  // namespace ropelight
