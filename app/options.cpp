@@ -175,7 +175,7 @@ Command parseConverge(const char* name, const char* doc, Arguments arguments) {
              ParamInfo{"to make a reference in; 8 times --time unless given", 1e-3, 1e9, "seconds"})
         ->default_str("");
     addFile(app, "--reference-mode", o.referenceMode,
-            "what makes it: path, or sppm with mirrors or glass, unless given")
+            "what makes it; unless given path, or sppm where a trial finds path too noisy")
         ->type_name("MODE");
     addValue(app, "--reference-noise", o.referenceNoise, ParamInfo{"relMSE of the noise of --reference", 0});
     addFile(app, "--save-reference", o.saveReference, ".exr to keep a made reference in; {scene} as above");

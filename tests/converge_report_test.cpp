@@ -85,6 +85,8 @@ TEST_CASE("the page holds the figures of a study and needs no network") {
                            "1,024 iterations",
                            "below what 3 seeds can show",
                            "29.4%",
+                           "Near edges",
+                           "<td>35%</td><td>2.15</td>",
                            "87.1 ms",
                            "31.2 ms",
                            "mean FLIP 0.11",

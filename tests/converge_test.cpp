@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/converge/curves.h"
+#include "app/converge/edges.h"
 #include "app/converge/runner.h"
 #include "app/sample_schedule.h"
 #include "render/core/error.h"
@@ -191,6 +193,9 @@ TEST_CASE("every mode and seed runs to its limit, with samples at spread places"
     CHECK(mode.pictureSeconds > 0);
     CHECK(mode.pictureFlip > 0);
     CHECK(mode.split.variance > 0);
+    CHECK(mode.pictureEdges.pixels > 0.05);
+    CHECK(mode.pictureEdges.pixels < 1);
+    CHECK(mode.pictureEdges.error > 0);
     double mse = 0;
     for (const StudyRun& run : mode.runs) mse += run.samples.back().metrics.mse / 3;
     CHECK(mode.split.mse == doctest::Approx(mse));
@@ -231,4 +236,43 @@ TEST_CASE("a study that is stopped keeps what it has") {
   REQUIRE(study.modes[0].runs.size() >= 1);
   CHECK(study.modes[0].runs[0].samples.size() >= 1);
   CHECK(std::isnan(study.modes[0].split.mse));
+}
+
+TEST_CASE("pixels near edges are those within the radius of a turned normal or a jump in depth") {
+  int const n = 41;
+  Image normal(n, n), depth(n, n);
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      normal.at(x, y) = x < 20 ? Rgb(0, 0, 1) : Rgb(1, 0, 0);
+      depth.at(x, y) = Rgb(2.0f);
+    }
+  CameraDesc camera;
+  camera.verticalFov = 90;  // a pixel is 4/41 wide at depth 2
+  auto const count = [&](double radius) {
+    auto const mask = nearEdges(normal, depth, camera, radius);
+    return std::count(mask.begin(), mask.end(), true);
+  };
+  CHECK(count(0) == n * 4);              // the two columns at the edge and their neighbours
+  CHECK(count(5.5 * 4 / 41) == n * 12);  // five more to each side
+  CHECK(count(100) == n * n);
+  normal = Image(n, n);
+  CHECK(count(100) == 0);  // one plane
+  depth.at(20, 20) = Rgb(2.5f);
+  auto const mask = nearEdges(normal, depth, camera, 10.2 * 4 / 41);
+  CHECK(mask[20 * n + 31]);  // ten pixels from the neighbour that jumps
+  CHECK_FALSE(mask[20 * n + 32]);
+  depth.at(20, 20) = Rgb(2.1f);
+  CHECK(count(100) == 0);
+}
+
+TEST_CASE("the share of the error near edges") {
+  StudyReference reference;
+  reference.image = Image(2, 1);
+  reference.epsilon = 1;
+  Image image(2, 1);
+  image.pixels = {Rgb(1.0f), Rgb(2.0f)};  // relative squares 1 and 4
+  EdgeShare const share = edgeShare(image, reference, {false, true});
+  CHECK(share.error == doctest::Approx(0.8));
+  CHECK(share.pixels == doctest::Approx(0.5));
+  CHECK(std::isnan(edgeShare(reference.image, reference, {false, true}).error));
 }

@@ -64,6 +64,8 @@ inline StudyScene fakeScene(const std::string& name, int width, int seeds) {
   scene.modes[0].split = {.mse = 1.2e-4, .bias2 = -3e-7, .variance = 1.19e-4, .referenceVariance = 1.1e-6};
   scene.modes[1].split = {.mse = 3.1e-5, .bias2 = 9.1e-6, .variance = 2.08e-5, .referenceVariance = 1.1e-6};
   scene.modes[2].split = {.mse = 5.4e-5, .bias2 = 4.4e-5, .variance = 8.9e-6, .referenceVariance = 1.1e-6};
+  scene.edgeRadius = 0.0123;
+  for (std::size_t i = 0; i < 3; ++i) scene.modes[i].pictureEdges = {0.2, 0.1 + 0.25 * double(i)};
   for (std::size_t i = 0; i < 3; ++i) scene.modes[i].pictureFlip = 0.06 + 0.05 * double(i == 0);
   return scene;
 }

@@ -15,6 +15,7 @@ constexpr double spacing = 1.3335214321633240;  // 8 samples a decade
 constexpr double batchSeconds = 0.1;
 constexpr std::uint64_t mostIterations = 4096;
 constexpr double doubtfulShare = 0.5;  // of an error that the reference's own noise may make up
+constexpr double doubtfulBias = 0.25;  // of path's mean square error
 
 double secondsOf(const std::function<void()>& work) {
   auto const start = std::chrono::steady_clock::now();
@@ -26,6 +27,17 @@ double channelMean(const std::vector<Vec3d>& pixels) {
   double sum = 0;
   for (const Vec3d& p : pixels) sum += p.x + p.y + p.z;
   return sum / (3.0 * double(pixels.size()));
+}
+
+/// Path tracing has no bias: what its runs have in common against the reference is the reference's own, or light that
+/// paths are too rare to find.
+std::string biasWarning(const StudyMode& mode) {
+  bool const known = mode.split.referenceVariance >= 0;
+  if (mode.settings.mode != "path" || !known || !(mode.split.bias2 > doubtfulBias * mode.split.mse)) return "";
+  return fmt::format(
+      "{:.0f}% of this mode's mean square error is bias, which path tracing has none of: the reference "
+      "is biased itself, or paths hardly find the light",
+      100 * mode.split.bias2 / mode.split.mse);
 }
 
 std::string warningOf(const StudyReference& reference, const Metrics& metrics, double error) {
@@ -144,6 +156,7 @@ StudyMode Contestant::result(const StudyReference& reference, bool trimmed) {
     const Metrics& metrics = run.samples.back().metrics;
     mode_.referenceWarning = warningOf(reference, metrics, errorOf(metrics, trimmed));
   }
+  if (mode_.referenceWarning.empty()) mode_.referenceWarning = biasWarning(mode_);
   return std::move(mode_);
 }
 

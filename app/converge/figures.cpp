@@ -19,7 +19,7 @@ std::string figure(double value) {
 
 std::string slopeFigure(double value) {
   if (!std::isfinite(value)) return "–";
-  return fmt::format("{}{:.2f}", value < 0 ? "−" : "", std::abs(value));
+  return fmt::format("{}{:.2f}", value < -0.005 ? "−" : "", std::abs(value));
 }
 
 std::string duration(double seconds) {

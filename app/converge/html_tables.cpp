@@ -138,6 +138,18 @@ std::string splitTable(const Study&, const StudyScene& scene) {
   return toHtml(table);
 }
 
+std::string edgeTable(const StudyScene& scene) {
+  HtmlTable table{{"mode", "of the pixels", "of the error", "error there / elsewhere"}, {}};
+  auto const percent = [](double share) { return share >= 0 ? fmt::format("{:.3g}%", 100 * share) : "–"; };
+  for (std::size_t i = 0; i < scene.modes.size(); ++i) {
+    const EdgeShare& e = scene.modes[i].pictureEdges;
+    double const ratio = e.error / e.pixels * ((1 - e.pixels) / (1 - e.error));
+    table.rows.push_back(
+        {{modeHtml(scene.modes[i].label, i)}, {percent(e.pixels)}, {percent(e.error)}, {figure(ratio)}});
+  }
+  return toHtml(table);
+}
+
 std::string startTable(const Study& study, const StudyScene& scene) {
   HtmlTable table{{"mode", "process start", "scene load", "set-up", "of it the tree", "first iteration", "together"},
                   {}};

@@ -14,6 +14,8 @@ std::string summaryTable(const Study& study);
 std::string errorTable(const Study& study, const StudyScene& scene);
 /// Of mean square errors, bias² and variance.
 std::string splitTable(const Study& study, const StudyScene& scene);
+/// How much of the error at equal time sits near edges.
+std::string edgeTable(const StudyScene& scene);
 /// What passes before the curves begin.
 std::string startTable(const Study& study, const StudyScene& scene);
 /// What differs from the defaults as a line a mode, and all settings folded away.

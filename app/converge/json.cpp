@@ -33,6 +33,8 @@ Json toJson(const StudyMode& mode) {
           {"bias2", mode.split.bias2},
           {"variance", mode.split.variance},
           {"flip", mode.pictureFlip},
+          {"edgePixels", mode.pictureEdges.pixels},
+          {"edgeError", mode.pictureEdges.error},
           {"warning", mode.referenceWarning},
           {"settings", ropelight::toJson(mode.settings)},
           {"runs", runs}};

@@ -14,7 +14,7 @@ struct ReferenceOptions {
   std::string file;               ///< .exr; {scene} stands for the scene's name; empty: made
   double seconds = 0;             ///< to make it in; 0: see iterations
   std::uint64_t iterations = 0;   ///< to make it of, both halves together
-  std::string mode;               ///< as --modes takes it; empty: path, or sppm where the scene has mirrors or glass
+  std::string mode;               ///< as --modes takes it; empty: path where a trial finds it quiet enough, else sppm
   std::optional<double> noise;    ///< relMSE of a file's noise, where the file does not say
   std::string save;               ///< .exr to keep a made one in; {scene} as above; empty: nowhere
   std::optional<double> epsilon;  ///< ε of relMSE; empty: 0.01·mean(reference²)
@@ -27,6 +27,9 @@ std::string forScene(const std::string& pattern, const Scene& scene);
 /// that: another size, primaries other than Rec. 709's, pixels that are not finite, or metadata that name another
 /// scene or settings under which the scene emits other light (aov, max-depth, indirect-only, direct light left out).
 StudyReference readReference(const ReferenceOptions& options, const Scene& scene, const Settings& resolved);
+
+/// ε of relMSE: what is asked for, or 0.01·mean(reference²).
+double relativeEpsilon(const Image& reference, std::optional<double> asked);
 
 /// Makes it of two independent halves, whose difference gives the noise of their mean. What both halves have in
 /// common, such as the bias that a gather radius leaves, the noise does not show.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "app/converge/contestant.h"
+#include "app/converge/edges.h"
 #include "render/film/flip.h"
 
 namespace ropelight {
@@ -77,6 +78,28 @@ StudyReference referenceOf(const Scene& scene, const Settings& base, const Setti
   return reference;
 }
 
+Image firstHits(const char* what, const Scene& scene, const Settings& base, const RunnerOptions& options,
+                const std::shared_ptr<SceneCache>& cache) {
+  Settings settings = base;
+  settings.mode = "sppm";
+  settings.aov = what;
+  auto const integrator = makeIntegrator(scene, settings, options.backend, nullptr, cache);
+  integrator->advance(1);
+  return integrator->film();
+}
+
+void findEdgeShares(StudyScene& study, const Scene& scene, const Settings& base, const RunnerOptions& options,
+                    const std::shared_ptr<SceneCache>& cache) {
+  for (const StudyMode& mode : study.modes)
+    if (mode.settings.mode == "sppm") study.edgeRadius = std::max(study.edgeRadius, mode.settings.radius);
+  if (study.edgeRadius == 0) return;
+  std::vector<bool> const mask =
+      nearEdges(firstHits("normal", scene, base, options, cache), firstHits("depth", scene, base, options, cache),
+                scene.camera, study.edgeRadius);
+  for (StudyMode& mode : study.modes)
+    if (!mode.picture.pixels.empty()) mode.pictureEdges = edgeShare(mode.picture, study.reference, mask);
+}
+
 }  // namespace
 
 StudyScene runModes(const Scene& scene, const Settings& base, const RunnerOptions& options) {
@@ -105,6 +128,7 @@ StudyScene runModes(const Scene& scene, const Settings& base, const RunnerOption
     StudyMode& mode = study.modes.back();
     if (!mode.picture.pixels.empty()) mode.pictureFlip = flip(mode.picture, study.reference.image).mean;
   }
+  findEdgeShares(study, scene, base, options, cache);
   return study;
 }
 

@@ -35,6 +35,12 @@ struct ErrorSplit {
   double referenceVariance = unknown;
 };
 
+/// The pixels within the first gather radius of an edge of the scene, where discs are cut.
+struct EdgeShare {
+  double pixels = unknown;  ///< share of the image
+  double error = unknown;   ///< share of the sum of (a − b)²/(b² + ε)
+};
+
 /// One mode with its settings on one scene.
 struct StudyMode {
   std::string label;                 ///< as it was asked for: "sppm:alpha=0.5"
@@ -49,6 +55,7 @@ struct StudyMode {
   Image picture;              ///< of the first seed at equal time
   double pictureSeconds = 0;  ///< when that was
   std::uint64_t pictureIterations = 0;
+  EdgeShare pictureEdges;        ///< of the picture's error
   double pictureFlip = unknown;  ///< mean FLIP of the picture
   std::string referenceWarning;  ///< where the reference may be too noisy to judge this mode; else empty
 };
@@ -68,6 +75,7 @@ struct StudyScene {
   std::string file;
   std::string device;
   double loadSeconds = 0;
+  double edgeRadius = 0;  ///< the largest first gather radius of the modes, scene units; 0 without one
   StudyReference reference;
   std::vector<StudyMode> modes;
 };
