@@ -20,7 +20,7 @@ constexpr std::size_t mostBuilds = 5;
 constexpr double buildLimitSeconds = 3;
 
 /// For all runs on one set of rays.
-double limitSeconds(const BenchOptions& options) { return fullSizes(options) ? 10 : 4; }
+double limitSeconds(const BenchOptions& options) { return chooseBackend(options.scene.backend).cuda ? 10 : 4; }
 
 /// On the CPU these are the plain ones.
 bool forGpu(Traversal t) { return t == Traversal::ropesShared || t == Traversal::bvhRefill; }
@@ -148,7 +148,7 @@ std::size_t differentFromBrute(const StreamScene& scene, const RaySet& set, doub
 
 double bruteBudget(const BenchOptions& options) {
   if (chooseBackend(options.scene.backend).cuda) return 1e12;
-  return options.full ? 1e9 : 2e7;
+  return options.full ? 1e8 : 2e7;
 }
 
 }  // namespace ropelight

@@ -7,6 +7,7 @@
 
 #include "accel/bvh_embree.h"
 #include "app/bench_rays.h"
+#include "render/backend/devices.h"
 #include "render/trace/meshes.h"
 
 namespace ropelight {
@@ -96,7 +97,8 @@ std::string suffixOf(std::string name) {
 
 BenchResult benchTraversal(const BenchOptions& options) {
   bool const full = fullSizes(options);
-  RayImage const image = full ? RayImage{1920, 1080} : RayImage{240, 136};
+  bool const cuda = chooseBackend(options.scene.backend).cuda;
+  RayImage const image = cuda ? RayImage{1920, 1080} : full ? RayImage{640, 360} : RayImage{240, 136};
   BenchResult result;
   std::vector<BenchTable> tables;
   std::vector<std::string> suffixes;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <set>
 
 #include "app/converge/json.h"
 #include "app/converge/report.h"
@@ -15,6 +16,7 @@
 #include "render/core/error.h"
 #include "render/core/version.h"
 #include "render/film/atomic_file.h"
+#include "render/film/exr.h"
 #include "render/scene/load.h"
 
 namespace ropelight {
@@ -33,7 +35,34 @@ std::vector<std::string> scenesOf(const ConvergeOptions& options) {
   if (!options.sceneList.empty())
     for (const std::string& scene : splitText(options.sceneList, ',')) scenes.push_back(scene);
   if (scenes.empty()) throw Error("no scene; name one, or several", ExitCode::usage);
+  for (std::string& scene : scenes) scene = findScene(scene);
   return scenes;
+}
+
+std::string stemOf(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+/// Files are named by the scenes' own.
+void requireOwnNames(const std::vector<std::string>& scenes, const ConvergeOptions& options) {
+  std::set<std::string> stems;
+  for (const std::string& scene : scenes)
+    if (!stems.insert(stemOf(scene)).second)
+      throw Error(fmt::format("{}: two scenes' files are called '{}'; study them apart", scene, stemOf(scene)),
+                  ExitCode::usage);
+  for (const std::string& pattern : {options.reference, options.saveReference})
+    if (scenes.size() > 1 && !pattern.empty() && pattern.find("{scene}") == std::string::npos)
+      throw Error(fmt::format("{}: one file for {} scenes; put {{scene}} into its name", pattern, scenes.size()),
+                  ExitCode::usage);
+}
+
+/// Everything that can be known to fail before any time is spent.
+void checkFiles(const std::vector<std::string>& scenes, const ConvergeOptions& options) {
+  requireOwnNames(scenes, options);
+  for (const std::string& file : scenes) {
+    Scene scene;
+    scene.file = file;
+    if (!options.reference.empty()) readExrMetadata(forScene(options.reference, scene));
+    if (!options.saveReference.empty()) requireWritable(forScene(options.saveReference, scene));
+  }
 }
 
 ConvergeOptions completed(ConvergeOptions options) {
@@ -59,7 +88,13 @@ RunnerOptions runnerOptions(const ConvergeOptions& o) {
   r.seeds = o.seeds;
   r.backend = o.scene.backend;
   r.trimmed = o.trimmed;
-  r.reference = {o.reference, o.referenceTime, 0, o.referenceMode, o.referenceNoise, o.saveReference, o.epsilon};
+  r.reference.file = o.reference;
+  r.reference.seconds = o.referenceTime;
+  r.reference.mode = o.referenceMode;
+  r.reference.noise = o.referenceNoise;
+  r.reference.save = o.saveReference;
+  r.reference.epsilon = o.epsilon;
+  if (!o.referenceMode.empty()) parseModes(o.referenceMode, o.scene.settings);
   return r;
 }
 
@@ -105,9 +140,9 @@ void writeReport(const ConvergeOptions& options, const Study& study) {
   std::filesystem::path const folder = options.out;
   for (const StudyScene& scene : study.scenes)
     for (CurveAxis const axis : {CurveAxis::seconds, CurveAxis::iterations})
-      writeFile(folder / fmt::format("{}-{}.svg", std::filesystem::path(scene.file).stem().string(),
-                                     axis == CurveAxis::seconds ? "seconds" : "iterations"),
-                toSvg(errorPlot(study, scene, axis)));
+      writeFile(
+          folder / fmt::format("{}-{}.svg", stemOf(scene.file), axis == CurveAxis::seconds ? "seconds" : "iterations"),
+          toSvg(errorPlot(study, scene, axis)));
   writeFile(folder / "samples.csv", toCsv(study));
   writeFile(folder / "report.html", toHtml(study));
   if (!options.json.empty() && options.json != "-") writeJson(options.json, toJson(study));
@@ -127,6 +162,7 @@ int runConverge(const ConvergeOptions& given) {
   ConvergeOptions const options = completed(given);
   RunnerOptions runner = runnerOptions(options);
   std::vector<std::string> const scenes = scenesOf(options);
+  checkFiles(scenes, options);
   prepareFolder(options);
   std::FILE* const out = options.json == "-" ? stderr : stdout;
   Study study = emptyStudy(options);
@@ -134,14 +170,14 @@ int runConverge(const ConvergeOptions& given) {
   runner.stop = [&] { return stop.requested(); };
   for (const std::string& name : scenes) {
     auto const start = Clock::now();
-    Scene const scene = loadScene(findScene(name));
+    Scene const scene = loadScene(name);
     double const loadSeconds = since(start);
     if (!options.quiet) fmt::print(stderr, "{}\n", scene.name);
     double const runs = double(runner.modes.size()) * options.seeds;
     Progress progress({std::uint64_t(double(options.iterations) * runs), options.time * runs}, options.quiet);
     runner.progress = [&](std::uint64_t iterations, double seconds) { progress.update(iterations, seconds); };
     study.scenes.push_back(runModes(scene, options.scene.settings, runner));
-    study.scenes.back().loadSeconds = loadSeconds;
+    study.scenes.back().loadSeconds += loadSeconds;
     study.device = study.scenes.back().device;
     study.complete = !stop.requested();
     print(out, study, study.scenes.back());

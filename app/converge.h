@@ -20,7 +20,7 @@ struct ConvergeOptions {
   int seeds = 3;
   std::string reference;      ///< .exr, {scene} for the scene's name; empty: made
   double referenceTime = 0;   ///< seconds; 0: eight times the run's
-  std::string referenceMode;  ///< empty: path where a trial finds it quiet enough, else sppm
+  std::string referenceMode;  ///< empty: path or sppm, whichever trials say will be nearer
   std::optional<double> referenceNoise;
   std::string saveReference;  ///< .exr; empty: not kept
   std::optional<double> epsilon;

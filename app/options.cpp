@@ -151,10 +151,17 @@ Command parseStress(const char* name, const char* doc, Arguments arguments) {
 }
 
 /// Quoted where a shell would need it.
+std::string quoted(const std::string& argument) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) return argument;
+  std::string text = "'";
+  for (char const c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 std::string asTyped(const Arguments& arguments) {
   std::string line = "ropelight converge";
-  for (const std::string& a : arguments)
-    line += a.find_first_of(" {}*?'\"$&;|<>()") == std::string::npos ? " " + a : fmt::format(" '{}'", a);
+  for (const std::string& argument : arguments) line += " " + quoted(argument);
   return line;
 }
 
@@ -175,7 +182,7 @@ Command parseConverge(const char* name, const char* doc, Arguments arguments) {
              ParamInfo{"to make a reference in; 8 times --time unless given", 1e-3, 1e9, "seconds"})
         ->default_str("");
     addFile(app, "--reference-mode", o.referenceMode,
-            "what makes it; unless given path, or sppm where a trial finds path too noisy")
+            "what makes it; unless given path or sppm, whichever trials say will be nearer")
         ->type_name("MODE");
     addValue(app, "--reference-noise", o.referenceNoise, ParamInfo{"relMSE of the noise of --reference", 0});
     addFile(app, "--save-reference", o.saveReference, ".exr to keep a made reference in; {scene} as above");

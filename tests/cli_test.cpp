@@ -239,6 +239,45 @@ TEST_CASE("info names what is present and what was left out") {
   CHECK(!json["stats"]["bytes"].empty());
 }
 
+TEST_CASE("converge writes a page, a table and plots, and says which mode was best") {
+  TemporaryFolder const folder;
+  Arguments const study = {"converge", "cornell",  "--backend", "cpu",       "--width",
+                           "24",       "--height", "24",        "--photons", "512"};
+  Result const made = run(folder, study + Arguments{"--modes", "ray,path,sppm:alpha=0.5", "--iterations", "12",
+                                                    "--seeds", "2", "--reference-time", "0.4", "--save-reference",
+                                                    "{scene}.exr", "--out", "study", "--json", "study.json"});
+  CAPTURE(made.err);
+  CHECK(made.code == 0);
+  CHECK(contains(made.out, "sppm:alpha=0.5"));
+  CHECK(contains(made.out, "relMSE"));
+  for (const char* file : {"report.html", "samples.csv", "cornell-seconds.svg", "cornell-iterations.svg"})
+    CHECK(std::filesystem::file_size(folder / "study" / file) > 1000);
+  auto const json = readJson(folder / "study.json");
+  CHECK(json["scenes"][0]["modes"].size() == 3);
+  CHECK(json["scenes"][0]["modes"][1]["runs"].size() == 2);
+  CHECK(contains(json["command"], "--save-reference '{scene}.exr'"));
+
+  Result const again = run(folder, study + Arguments{"--modes", "path", "--time", "0.1", "--seeds", "1", "--reference",
+                                                     "{scene}.exr", "--quiet"});
+  CHECK(again.code == 0);
+  CHECK(again.err.empty());
+  Result const other = run(folder, {"converge", "bumpy", "--backend", "cpu", "--width", "24", "--height", "24",
+                                    "--time", "0.1", "--reference", "cornell.exr"});
+  CHECK(other.code == 3);
+  CHECK(contains(other.err, "cornell.exr: it was rendered of the scene 'cornell', not of 'bumpy'"));
+}
+
+TEST_CASE("converge refuses what it cannot compare before it starts") {
+  checkRefused({"converge"}, 2, {"no scene"});
+  checkRefused({"converge", "cornell", "--modes", "path,sppn"}, 2, {"'sppn'", "did you mean"});
+  checkRefused({"converge", "cornell", "--iterations", "5"}, 2, {"--reference-time"});
+  checkRefused({"converge", "cornell", "--reference", "a.exr", "--reference-time", "5"}, 2, {"exclude"});
+  checkRefused({"converge", "cornell", "bumpy", "--reference", "a.exr"}, 2, {"{scene}"});
+  checkRefused({"converge", "cornell", "cornell.json"}, 2, {"'cornell'"});
+  checkRefused({"converge", "nowhere", "--time", "1"}, 3, {"nowhere"});
+  checkRefused({"converge", "cornell", "--time", "1", "--reference", "none.exr"}, 3, {"none.exr"});
+}
+
 TEST_CASE("bench prints a row and writes CSV") {
   TemporaryFolder const folder;
   Result const result = run(folder, {"bench", "iteration", "--scene", "cornell", "--backend", "cpu", "--width", "16",

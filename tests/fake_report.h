@@ -53,7 +53,7 @@ inline StudyScene fakeScene(const std::string& name, int width, int seeds) {
                      .noise = 4.2e-5,
                      .variance = 1.1e-6,
                      .epsilon = 4.87e-4,
-                     .knownScene = true,
+                     .mode = "path",
                      .stats = {}};
   scene.modes = {fakeMode("path", 0.08, -1, 0, seeds), fakeMode("sppm", 0.02, -0.67, 0, seeds),
                  fakeMode("sppm:alpha=0.5", 0.022, -0.5, 0.002, seeds)};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "app/converge/curves.h"
@@ -40,12 +41,26 @@ std::string biasWarning(const StudyMode& mode) {
       100 * mode.split.bias2 / mode.split.mse);
 }
 
-std::string warningOf(const StudyReference& reference, const Metrics& metrics, double error) {
+std::string noiseWarning(const StudyReference& reference, const Metrics& metrics, double error) {
+  if (std::isnan(reference.noise)) return "how noisy the reference is itself is not known";
   if (!(reference.noise > doubtfulShare * error) && !(reference.variance > doubtfulShare * metrics.mse)) return "";
   return fmt::format(
       "the reference's own noise, {:.2g}, makes up much of the error {:.2g} at the end: a better "
       "reference would show less",
       reference.noise, error);
+}
+
+/// The reasons for doubt, one after the other.
+std::string warningsOf(const StudyMode& mode, const StudyReference& reference, bool trimmed) {
+  std::string text;
+  auto const add = [&](const std::string& reason) { text += (text.empty() || reason.empty() ? "" : "; ") + reason; };
+  for (const StudyRun& run : mode.runs)
+    if (text.empty() && !run.samples.empty())
+      add(noiseWarning(reference, run.samples.back().metrics, errorOf(run.samples.back().metrics, trimmed)));
+  add(biasWarning(mode));
+  if (mode.settings.mode == "sppm" && reference.mode == "sppm")
+    add("the reference is by sppm too and shares a part of this mode's bias, which the error leaves out");
+  return text;
 }
 
 }  // namespace
@@ -151,12 +166,8 @@ ErrorSplit Contestant::split(const StudyReference& reference) const {
 
 StudyMode Contestant::result(const StudyReference& reference, bool trimmed) {
   mode_.split = split(reference);
-  for (const StudyRun& run : mode_.runs) {
-    if (run.samples.empty() || !mode_.referenceWarning.empty()) continue;
-    const Metrics& metrics = run.samples.back().metrics;
-    mode_.referenceWarning = warningOf(reference, metrics, errorOf(metrics, trimmed));
-  }
-  if (mode_.referenceWarning.empty()) mode_.referenceWarning = biasWarning(mode_);
+  if (ended_ > 0) mode_.runs.resize(std::size_t(ended_));  // without one that was stopped half-way
+  mode_.referenceWarning = warningsOf(mode_, reference, trimmed);
   return std::move(mode_);
 }
 

@@ -46,7 +46,7 @@ std::string splitHtml(const Study& study, const StudyScene& scene) {
          paragraph("note",
                    "In squared radiance, with shares of the mean square error. Variance is what differs from seed to "
                    "seed and averages out over more runs; bias² is what all seeds have in common, after the noise of "
-                   "their mean and of the reference is taken off.");
+                   "their mean and, where it is known, of the reference is taken off.");
 }
 
 /// Gather discs that an edge cuts find too few photons: there the error falls more slowly.
@@ -63,7 +63,10 @@ std::string edgesHtml(const StudyScene& scene) {
 
 std::string startHtml(const Study& study, const StudyScene& scene) {
   return "<h3>Start-up</h3>\n" + startTable(study, scene) +
-         paragraph("note", "None of it is in the curves. A tree that modes share counts for the first that needs it.");
+         paragraph(
+             "note",
+             "None of it is in the curves. A tree that modes share is shown with each and was built in the set-up of "
+             "the first, which on a GPU makes the context too; the scene's load includes flattening it.");
 }
 
 }  // namespace

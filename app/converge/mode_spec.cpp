@@ -19,6 +19,9 @@ void assign(Settings& settings, const std::string& part, const std::string& labe
   std::string const key = part.substr(0, equals), value = part.substr(equals + 1);
   if (key == "mode")
     throw Error(fmt::format("--modes {}: the mode is its first word; leave mode= out", label), ExitCode::usage);
+  for (const char* shared : {"width", "height", "aov", "max-depth", "indirect-only"})
+    if (key == shared)
+      throw Error(fmt::format("--modes {}: {} must be the same for all; give --{}", label, key, key), ExitCode::usage);
   assignSetting(settings, key, key == "gather" && value == "knn" ? "nearest" : value);
 }
 

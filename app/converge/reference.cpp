@@ -13,8 +13,9 @@ namespace ropelight {
 namespace {
 
 constexpr std::uint64_t seedStep = 0x9E3779B97F4A7C15u;  // the halves' seeds: far from those that people choose
-constexpr double trialShare = 0.1;                       // of the time, for finding out what makes the reference
-constexpr double quietEnough = 1e-3;                     // relMSE of a reference's noise
+constexpr double trialShare = 0.1;                       // of the time, for each of the two that may make it
+constexpr double biasExponent = 2.0 / 3.0;               // of bias² over iterations, at the default α
+constexpr double referenceRadius = 0.5;  // of the automatic one: a 16th of the bias², four times the noise
 
 /// One half of a reference, and what the whole is told by.
 struct Half {
@@ -22,6 +23,7 @@ struct Half {
   Stats stats;
 };
 
+/// At least one iteration; ends early where it is asked to.
 Half renderHalf(Integrator& integrator, const ReferenceOptions& options) {
   double const seconds = options.seconds / 2;
   std::uint64_t const iterations = std::max<std::uint64_t>(1, options.iterations / 2);
@@ -33,6 +35,7 @@ Half renderHalf(Integrator& integrator, const ReferenceOptions& options) {
                                        std::min(4096.0, double(so.iterations))));
     if (options.seconds == 0) batch = std::min<std::uint64_t>(64, iterations - so.iterations);
     integrator.advance(int(batch));
+    if (options.stop && options.stop()) break;
   } while (options.seconds > 0 ? integrator.stats().seconds < seconds : integrator.stats().iterations < iterations);
   return {integrator.film(), integrator.stats()};
 }
@@ -75,6 +78,10 @@ StudyReference makeBy(const std::string& mode, const ReferenceOptions& options, 
   Settings settings = specs[0].settings;
   settings.seed ^= seedStep;
   auto const integrator = makeIntegrator(shop.scene, settings, shop.backend, nullptr, shop.cache);
+  if (settings.mode == "sppm" && settings.radius == 0) {
+    settings.radius = referenceRadius * integrator->stats().settings.radius;
+    integrator->restart(shop.scene.camera, settings);
+  }
   Half const first = renderHalf(*integrator, options);
   settings.seed += seedStep;
   if (!integrator->restart(shop.scene.camera, settings))
@@ -85,14 +92,27 @@ StudyReference makeBy(const std::string& mode, const ReferenceOptions& options, 
   reference.image = meanOf(first, second);
   reference.epsilon = relativeEpsilon(reference.image, options.epsilon);
   measureNoise(first, second, reference);
-  reference.origin =
-      fmt::format("{}, two halves of {} and {} iterations in {:.1f} s on {}", specs[0].label, first.stats.iterations,
-                  second.stats.iterations, first.stats.seconds + second.stats.seconds, second.stats.device);
+  reference.origin = fmt::format("{}{}, two halves of {} and {} iterations in {:.1f} s on {}", specs[0].label,
+                                 settings.radius > 0 ? fmt::format(" from radius {:.3g}", settings.radius) : "",
+                                 first.stats.iterations, second.stats.iterations,
+                                 first.stats.seconds + second.stats.seconds, second.stats.device);
   reference.stats = second.stats;
   reference.stats.iterations += first.stats.iterations;
   reference.stats.seconds += first.stats.seconds;
-  reference.knownScene = true;
+  reference.mode = settings.mode;
   return reference;
+}
+
+/// Which of the two has less error to be expected: path its noise; sppm its noise and its bias, which is how far the
+/// two trials differ beyond their noise.
+bool pathIsBetter(const ReferenceOptions& options, const Workshop& shop) {
+  ReferenceOptions trial = options;
+  trial.seconds *= trialShare;
+  trial.iterations = std::uint64_t(double(trial.iterations) * trialShare);
+  StudyReference const path = makeBy("path", trial, shop), sppm = makeBy("sppm", trial, shop);
+  double const apart = compareImages(path.image, sppm.image, {.epsilon = sppm.epsilon}).relMse;
+  double const bias2 = std::max(0.0, apart - path.noise - sppm.noise);
+  return path.noise * trialShare <= sppm.noise * trialShare + bias2 * std::pow(trialShare, biasExponent);
 }
 
 }  // namespace
@@ -101,11 +121,7 @@ StudyReference makeReference(const ReferenceOptions& options, const Scene& scene
                              const BackendChoice& backend, std::shared_ptr<SceneCache> cache) {
   Workshop const shop{scene, base, backend, std::move(cache)};
   if (!options.mode.empty()) return makeBy(options.mode, options, shop);
-  ReferenceOptions trial = options;
-  trial.seconds *= trialShare;
-  trial.iterations = std::uint64_t(double(trial.iterations) * trialShare);
-  double const expected = makeBy("path", trial, shop).noise * trialShare;
-  return makeBy(expected <= quietEnough ? "path" : "sppm", options, shop);
+  return makeBy(pathIsBetter(options, shop) ? "path" : "sppm", options, shop);
 }
 
 void saveReference(const ReferenceOptions& options, const StudyReference& reference, const Scene& scene) {

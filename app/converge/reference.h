@@ -1,6 +1,7 @@
 #pragma once
 // The image that a study measures against: from a file, or made, and how far it is itself converged.
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -14,9 +15,10 @@ struct ReferenceOptions {
   std::string file;               ///< .exr; {scene} stands for the scene's name; empty: made
   double seconds = 0;             ///< to make it in; 0: see iterations
   std::uint64_t iterations = 0;   ///< to make it of, both halves together
-  std::string mode;               ///< as --modes takes it; empty: path where a trial finds it quiet enough, else sppm
+  std::string mode;               ///< as --modes takes it; empty: path or sppm, whichever trials say will be nearer
   std::optional<double> noise;    ///< relMSE of a file's noise, where the file does not say
   std::string save;               ///< .exr to keep a made one in; {scene} as above; empty: nowhere
+  std::function<bool()> stop;     ///< asked now and then while one is made
   std::optional<double> epsilon;  ///< ε of relMSE; empty: 0.01·mean(reference²)
 };
 
@@ -32,16 +34,17 @@ StudyReference readReference(const ReferenceOptions& options, const Scene& scene
 double relativeEpsilon(const Image& reference, std::optional<double> asked);
 
 /// Makes it of two independent halves, whose difference gives the noise of their mean. What both halves have in
-/// common, such as the bias that a gather radius leaves, the noise does not show.
+/// common, such as the bias that a gather radius leaves, the noise does not show; sppm takes half the automatic radius,
+/// so that it is less.
 StudyReference makeReference(const ReferenceOptions& options, const Scene& scene, const Settings& base,
                              const BackendChoice& backend, std::shared_ptr<SceneCache> cache);
 
 /// Writes a made reference with its noise, so that readReference knows it.
 void saveReference(const ReferenceOptions& options, const StudyReference& reference, const Scene& scene);
 
-/// Throws Error (badInput) where an image of the same scene by one iteration is nowhere near the reference: where the
-/// means of half of its tiles (a sixteenth of its width wide, at most 32 pixels) are off by more than 25% of a tile's
-/// mean and the image's.
+/// Throws Error (badInput) where a quick image of the scene is nowhere near the reference: where the means of half of
+/// its tiles (a sixteenth of its width wide, at most 32 pixels) are off by more than 8% of the tile's mean and of the
+/// image's.
 void requireSameScene(const Image& glimpse, const StudyReference& reference);
 
 }  // namespace ropelight

@@ -104,11 +104,13 @@ StudyReference readReference(const ReferenceOptions& options, const Scene& scene
   reference.epsilon = relativeEpsilon(reference.image, options.epsilon);
   reference.noise = options.noise.value_or(numberOf(metadata, "reference-noise"));
   reference.variance = numberOf(metadata, "reference-variance");
-  reference.knownScene = find(metadata, "scene").has_value();
+  reference.mode = find(metadata, "mode").value_or("");
   return reference;
 }
 
 void requireSameScene(const Image& glimpse, const StudyReference& reference) {
+  if (glimpse.width != reference.image.width || glimpse.height != reference.image.height)
+    throw Error(fmt::format("{}: it is not of the runs' size", reference.origin));
   int const tile = std::clamp(glimpse.width / tilesAcross, 1, largestTile);
   Image const seen = tileMeans(glimpse, tile), wanted = tileMeans(reference.image, tile);
   auto const grey = [](Rgb c) { return (double(c.x) + double(c.y) + double(c.z)) / 3; };

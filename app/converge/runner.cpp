@@ -1,6 +1,7 @@
 #include "app/converge/runner.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 #include "app/converge/contestant.h"
@@ -69,12 +70,14 @@ class Round {
 StudyReference referenceOf(const Scene& scene, const Settings& base, const Settings& resolved,
                            const RunnerOptions& options, const std::shared_ptr<SceneCache>& cache) {
   if (options.reference.file.empty()) {
-    StudyReference made = makeReference(options.reference, scene, base, options.backend, cache);
+    ReferenceOptions asked = options.reference;
+    asked.stop = options.stop;
+    StudyReference made = makeReference(asked, scene, base, options.backend, cache);
     if (!options.reference.save.empty()) saveReference(options.reference, made, scene);
     return made;
   }
   StudyReference reference = readReference(options.reference, scene, resolved);
-  if (!reference.knownScene) requireSameScene(glimpse(scene, base, options, cache), reference);
+  requireSameScene(glimpse(scene, base, options, cache), reference);
   return reference;
 }
 
@@ -103,13 +106,15 @@ void findEdgeShares(StudyScene& study, const Scene& scene, const Settings& base,
 }  // namespace
 
 StudyScene runModes(const Scene& scene, const Settings& base, const RunnerOptions& options) {
+  auto const start = std::chrono::steady_clock::now();
   auto const cache = makeSceneCache(scene);
+  StudyScene study;
+  study.loadSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Contestants all;
   for (const ModeSpec& spec : options.modes) {
     all.push_back(std::make_unique<Contestant>(scene, spec, options, cache));
     all.back()->warmUp();
   }
-  StudyScene study;
   study.name = scene.name;
   study.file = scene.file;
   study.reference = referenceOf(scene, base, all.front()->settings(), options, cache);
