@@ -44,12 +44,6 @@ std::vector<PlotPoint> plottable(const std::vector<PlotPoint>& points) {
 
 double PowerLaw::at(double x) const { return factor * std::pow(x, exponent); }
 
-std::optional<PowerLaw> fitPowerLaw(const std::vector<PlotPoint>& points) {
-  std::vector<PlotPoint> const usable = plottable(points);
-  std::size_t const half = std::max(fewest, (usable.size() + 1) / 2);
-  return fitAll(std::span(usable).last(std::min(half, usable.size())));
-}
-
 std::optional<PowerLaw> fitLastDecade(const std::vector<PlotPoint>& points) {
   std::vector<PlotPoint> const usable = plottable(points);
   if (usable.empty()) return std::nullopt;

@@ -20,12 +20,8 @@ struct PowerLaw {
   double at(double x) const;
 };
 
-/// Least squares on the logarithms over the later half of the plottable points, at least three of them. Empty where
-/// there are fewer, or where they have one x alone.
-std::optional<PowerLaw> fitPowerLaw(const std::vector<PlotPoint>& points);
-
-/// The same over the plottable points from a tenth of the last one's x on; points by ascending x. Empty where those are
-/// fewer than three, or have one x alone.
+/// Least squares on the logarithms over the plottable points from a tenth of the last one's x on; points by ascending
+/// x. Empty where those are fewer than three, or have one x alone.
 std::optional<PowerLaw> fitLastDecade(const std::vector<PlotPoint>& points);
 
 /// Linear between the logarithms of neighbours; points by ascending x. Empty outside their range.

@@ -52,7 +52,7 @@ std::vector<ErrorPoint> ErrorCurve::points() const {
 double ErrorCurve::slope() const {
   std::vector<PlotPoint> logs;
   for (const ErrorPoint& p : points()) logs.push_back({p.seconds, p.relMse});
-  auto const law = fitPowerLaw(logs);
+  auto const law = fitLastDecade(logs);
   return law ? law->exponent : std::numeric_limits<double>::quiet_NaN();
 }
 

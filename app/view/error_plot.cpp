@@ -40,7 +40,7 @@ std::array<Curve, 2> curvesOf(const PanelContext& context) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (i == 1 && !context.state.compare.enabled) continue;
     curves[i].points = plottable(errorCurve(context.estimates[i]));
-    curves[i].law = fitPowerLaw(curves[i].points);
+    curves[i].law = fitLastDecade(curves[i].points);
   }
   return curves;
 }

@@ -8,7 +8,7 @@
 
 namespace ropelight::view {
 
-using ropelight::fitPowerLaw;
+using ropelight::fitLastDecade;
 using ropelight::interpolateLog;
 using ropelight::isPlottable;
 using ropelight::PlotPoint;

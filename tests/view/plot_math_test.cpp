@@ -30,27 +30,27 @@ std::vector<std::string> labels(LogRange range, int most) {
 }  // namespace
 
 TEST_CASE("A power law is recovered from its points") {
-  auto const law = fitPowerLaw(powers(0.25, -0.75, 9));
+  auto const law = fitLastDecade(powers(0.25, -0.75, 9));
   REQUIRE(law);
   CHECK(law->exponent == doctest::Approx(-0.75).epsilon(1e-12));
   CHECK(law->factor == doctest::Approx(0.25).epsilon(1e-12));
   CHECK(law->at(16) == doctest::Approx(0.25 / 8).epsilon(1e-12));
 }
 
-TEST_CASE("The fit reads the later half alone") {
+TEST_CASE("The fit reads the last decade alone") {
   std::vector<PlotPoint> points = powers(1, -1, 8);
   for (std::size_t i = 0; i < 4; ++i) points[i].y = 1000;  // the start of a run says nothing about its end
-  CHECK(fitPowerLaw(points)->exponent == doctest::Approx(-1).epsilon(1e-12));
+  CHECK(fitLastDecade(points)->exponent == doctest::Approx(-1).epsilon(1e-12));
   points[4].y = 1000;
-  CHECK(fitPowerLaw(points)->exponent < -1.1);
+  CHECK(fitLastDecade(points)->exponent < -1.1);
 }
 
 TEST_CASE("A fit needs three points of different x that have logarithms") {
-  CHECK_FALSE(fitPowerLaw({}));
-  CHECK_FALSE(fitPowerLaw({{1, 1}, {2, 0.5}}));
-  CHECK_FALSE(fitPowerLaw({{3, 1}, {3, 0.5}, {3, 0.25}}));
-  CHECK_FALSE(fitPowerLaw({{1, 1}, {2, 0}, {4, notANumber}, {8, infinity}, {16, 0.1}}));
-  auto const law = fitPowerLaw({{0, 5}, {1, 1}, {2, 0.5}, {notANumber, 1}, {4, 0.25}, {8, -1}});
+  CHECK_FALSE(fitLastDecade({}));
+  CHECK_FALSE(fitLastDecade({{1, 1}, {2, 0.5}}));
+  CHECK_FALSE(fitLastDecade({{3, 1}, {3, 0.5}, {3, 0.25}}));
+  CHECK_FALSE(fitLastDecade({{1, 1}, {2, 0}, {4, notANumber}, {8, infinity}, {16, 0.1}}));
+  auto const law = fitLastDecade({{0, 5}, {1, 1}, {2, 0.5}, {notANumber, 1}, {4, 0.25}, {8, -1}});
   REQUIRE(law);
   CHECK(law->exponent == doctest::Approx(-1).epsilon(1e-12));
 }
