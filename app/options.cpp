@@ -189,7 +189,7 @@ Command parseConverge(const char* name, const char* doc, Arguments arguments) {
     addValue(app, "--epsilon", o.epsilon, ParamInfo{"of relMSE; by default 0.01 mean(reference^2)", 0});
     app.add_flag("--trimmed", o.trimmed, "leave the worst 0.1% of pixels out of the headline figure");
     app.add_option("--out", o.out, "folder for the report")->type_name("FOLDER")->take_last()->default_str(o.out);
-    addFile(app, "--json", o.json, "write all figures as JSON; '-': standard output");
+    addFile(app, "--json", o.json, "write samples, errors' split and settings as JSON; '-': standard output");
     app.add_flag("--quiet", o.quiet, "no progress");
     addSceneArguments(app, o.scene);
   });

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 
+#include "app/bench_timing.h"
 #include "app/converge/curves.h"
 
 namespace ropelight {
@@ -17,12 +16,6 @@ constexpr double batchSeconds = 0.1;
 constexpr std::uint64_t mostIterations = 4096;
 constexpr double doubtfulShare = 0.5;  // of an error that the reference's own noise may make up
 constexpr double doubtfulBias = 0.25;  // of path's mean square error
-
-double secondsOf(const std::function<void()>& work) {
-  auto const start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 double channelMean(const std::vector<Vec3d>& pixels) {
   double sum = 0;

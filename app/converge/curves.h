@@ -51,8 +51,8 @@ struct TimeTo {
 };
 TimeTo timeTo(const StudyMode& mode, double error, bool trimmed);
 
-/// What the bands allow to be said of the lowest error at the end of equal time, as one sentence: a mode is called
-/// best only where its band lies below all others'.
+/// What the seeds allow to be said of the lowest error at equal time, as one sentence: a mode is called best only where
+/// its 95% interval lies below all others'.
 std::string verdictOf(const StudyScene& scene, bool trimmed);
 
 }  // namespace ropelight

@@ -1,9 +1,9 @@
 #include "app/converge/runner.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
+#include "app/bench_timing.h"
 #include "app/converge/contestant.h"
 #include "app/converge/edges.h"
 #include "render/film/flip.h"
@@ -106,10 +106,9 @@ void findEdgeShares(StudyScene& study, const Scene& scene, const Settings& base,
 }  // namespace
 
 StudyScene runModes(const Scene& scene, const Settings& base, const RunnerOptions& options) {
-  auto const start = std::chrono::steady_clock::now();
-  auto const cache = makeSceneCache(scene);
   StudyScene study;
-  study.loadSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::shared_ptr<SceneCache> cache;
+  study.loadSeconds = secondsOf([&] { cache = makeSceneCache(scene); });
   Contestants all;
   for (const ModeSpec& spec : options.modes) {
     all.push_back(std::make_unique<Contestant>(scene, spec, options, cache));
