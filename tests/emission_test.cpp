@@ -106,15 +106,16 @@ TEST_CASE("a light sample comes with the density that lightPdf gives its point")
   double worst = 0;
   int useful = 0, wrong = 0;
   for (int i = 0; i < 20000; ++i) {
-    Vec3 const from(random.inBox(7));
+    Surface from;
+    from.p = Vec3(random.inBox(7));
     DirectSample const s = sampleLight<F>(scene.view(), from, random.vec2().x, random.vec2());
     if (s.pdf == 0) continue;
     ++useful;
     Surface on = s.surface;
-    worst = std::max(worst, std::abs(double(lightPdf<F>(scene.view(), from, on)) / double(s.pdf) - 1));
+    worst = std::max(worst, std::abs(double(lightPdf<F>(scene.view(), from.p, on, s.wi)) / double(s.pdf) - 1));
     wrong += s.radiance != scene.flat().lights[std::size_t(s.surface.light)].radiance ||
              s.surface.primitive != scene.flat().lights[std::size_t(s.surface.light)].primitive;
-    wrong += glm::length(Vec3d(s.wi) - glm::normalize(Vec3d(s.surface.p) - Vec3d(from))) > 1e-5;
+    wrong += glm::length(Vec3d(s.wi) - glm::normalize(Vec3d(s.surface.p) - Vec3d(from.p))) > 1e-5;
   }
   CHECK(useful > 5000);
   CHECK(worst < 0.01);
@@ -129,7 +130,7 @@ TEST_CASE("the irradiance of light samples is the closed form below a sphere") {
   double sum = 0;
   constexpr int n = 20000;
   for (int i = 0; i < n; ++i) {
-    DirectSample const s = sampleLight<F>(scene.view(), Vec3(0), random.vec2().x, random.vec2());
+    DirectSample const s = sampleLight<F>(scene.view(), Surface{}, random.vec2().x, random.vec2());
     if (s.pdf > 0) sum += double(s.radiance.x) * double(s.wi.z) / double(s.pdf) / n;
   }
   CHECK(sum == doctest::Approx(M_PI * 2 / 9).epsilon(0.005));  // π L (r/d)²

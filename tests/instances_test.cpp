@@ -180,7 +180,7 @@ TEST_CASE("rays that leave a placed mesh start on their side of it, at any scale
         Vec3 w(random.direction());
         if (std::abs(dot(w, s.n)) < 0.05f) continue;
         if (dot(w, s.n) < 0) w = -w;
-        Ray const out = leave(s, w), in = leave(s, -w);
+        Ray const out = depart<everything>(host.view(), s, w).ray, in = depart<everything>(host.view(), s, -w).ray;
         wrongSide += glm::dot(plane.n, Vec3d(out.origin)) < plane.at || glm::dot(plane.n, Vec3d(in.origin)) > plane.at;
         back += occluded<everything>(host.view(), out, noPrimitive);
         escaped += !closestHit<everything>(host.view(), in).found();

@@ -183,13 +183,15 @@ TEST_CASE("directions to a quad follow their density") {
         from, Vec3d(0.25, 0, 2) - from,
         [&](Vec2 u) {
           Surface s;
-          double const pdf = double(QuadLight::sampleToward(quad, 4, eye, u, s));
-          return std::pair(s.p, pdf);
+          Vec3 toward;
+          double const pdf = double(QuadLight::sampleToward(quad, 4, {eye}, u, s, toward));
+          return std::pair(eye + toward, pdf);
         },
         [&](Vec3d w, const Vec3* p) {
           Vec3d hit;
-          if (p) return double(QuadLight::pdfToward(quad, 4, eye, *p));
-          return meets(flat, from, w, hit) ? double(QuadLight::pdfToward(quad, 4, eye, Vec3(hit))) : 0.0;
+          if (p) return double(QuadLight::pdfToward(quad, 4, eye, Surface{}, *p - eye));
+          return meets(flat, from, w, hit) ? double(QuadLight::pdfToward(quad, 4, eye, Surface{}, Vec3(hit - from)))
+                                           : 0.0;
         });
   }
 }
@@ -197,7 +199,9 @@ TEST_CASE("directions to a quad follow their density") {
 TEST_CASE("a quad seen edge-on offers nothing") {
   Quad const quad = toTarget(FlatQuad{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
   Surface s;
-  CHECK(QuadLight::sampleToward(quad, 1, Vec3(3, 0.5f, 0), Vec2(0.3f, 0.4f), s) == 0);
+  Vec3 toward;
+  CHECK(QuadLight::sampleToward(quad, 1, {Vec3(3, 0.5f, 0)}, Vec2(0.3f, 0.4f), s, toward) == 0);
+  CHECK(QuadLight::sampleToward(quad, 1, {Vec3(0.5f, 0.5f, 0)}, Vec2(0.3f, 0.4f), s, toward) == 0);
 }
 
 TEST_CASE("directions to every ellipsoid follow their density, from afar, near and inside") {
@@ -214,13 +218,17 @@ TEST_CASE("directions to every ellipsoid follow their density, from afar, near a
           from, center - from,
           [&](Vec2 u) {
             Surface s;
-            double const pdf = double(SphereLight::sampleToward(sphere, 1, eye, u, s));
+            Vec3 toward;
+            double const pdf = double(SphereLight::sampleToward(sphere, 1, {eye}, u, s, toward));
             return std::pair(s.p, pdf);
           },
           [&](Vec3d w, const Vec3* p) {
             Vec3d hit;
-            if (p) return double(SphereLight::pdfToward(sphere, 1, eye, *p));
-            return meets(m, center, from, w, hit) ? double(SphereLight::pdfToward(sphere, 1, eye, Vec3(hit))) : 0.0;
+            if (!p && !meets(m, center, from, w, hit)) return 0.0;
+            Vec3 const at = p ? *p : Vec3(hit);
+            Surface on;
+            placeOn(sphere, sphere.toObject * (at - sphere.center), on);
+            return double(SphereLight::pdfToward(sphere, 1, eye, on, at - eye));
           });
     }
   }
@@ -237,7 +245,8 @@ TEST_CASE("a sampled point of an ellipsoid is on it, on the side that is seen") 
       double const distance = random.between(0.05, 4);
       Vec3 const from(m * (random.direction() * distance));
       Surface s;
-      Real const pdf = SphereLight::sampleToward(sphere, 1, from, random.vec2(), s);
+      Vec3 toward;
+      Real const pdf = SphereLight::sampleToward(sphere, 1, {from}, random.vec2(), s, toward);
       off = std::max(off, std::abs(glm::length(glm::inverse(m) * Vec3d(s.p)) - 1));
       // Facing the eye from outside and turned away from it within, but for the last hair at the silhouette.
       Vec3d const seen = glm::normalize(glm::inverse(m) * Vec3d(s.p)), eye = glm::inverse(m) * Vec3d(from);
@@ -255,7 +264,9 @@ TEST_CASE("a distant sphere keeps its solid angle") {
   Sphere const sphere = sphereOf(Mat3d(1.0), Vec3d(0));
   for (double distance : {10.0, 1e3, 1e6}) {
     Surface s;
-    double const pdf = double(SphereLight::sampleToward(sphere, 1, Vec3(0, 0, Real(distance)), Vec2(0.4f, 0.8f), s));
+    Vec3 toward;
+    double const pdf =
+        double(SphereLight::sampleToward(sphere, 1, {Vec3(0, 0, Real(distance))}, Vec2(0.4f, 0.8f), s, toward));
     double const sine2 = 1 / (distance * distance), angle = 2 * M_PI * sine2 / (1 + std::sqrt(1 - sine2));
     CHECK(pdf * angle == doctest::Approx(1).epsilon(1e-5));
   }

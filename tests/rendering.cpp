@@ -121,6 +121,13 @@ Image renderImage(const Scene& scene, const Settings& settings, int iterations, 
   return integrator->film();
 }
 
+std::vector<BackendChoice> everyBackend() {
+  std::vector<BackendChoice> backends{{"cpu", 0, 0, false}};
+  for (const DeviceInfo& d : listDevices())
+    if (d.backend == "cuda" && d.usable && backends.size() == 1) backends.push_back({"cuda", d.index, 0, false});
+  return backends;
+}
+
 double meanOf(const Image& image) {
   double sum = 0;
   for (Rgb p : image.pixels) sum += (double(p.x) + double(p.y) + double(p.z)) / 3;

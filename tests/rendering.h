@@ -27,6 +27,9 @@ Settings settingsFor(const std::string& mode, int width, int height);
 Image renderImage(const Scene& scene, const Settings& settings, int iterations, Stats* stats = nullptr,
                   const BackendChoice& backend = {"cpu", 0, 0, false});
 
+/// The CPU, and CUDA where there is a usable device.
+std::vector<BackendChoice> everyBackend();
+
 /// Mean of the three channels over all pixels.
 double meanOf(const Image& image);
 

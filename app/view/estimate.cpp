@@ -35,6 +35,7 @@ void Estimate::install(std::unique_ptr<Integrator> next, const Target& target) {
   clearMeasurements();
   if (!integrator) return;
   shown_.tree = integrator->tree();
+  shown_.frameOrigin = integrator->frameOrigin();
   resolvedRadius_ = stats_.firstRadius;
   radiusFor_ = target;
 }

@@ -33,7 +33,8 @@ struct EstimateStatus {
   std::string problem;    ///< why the latest settings could not be used; empty: none
   Stats stats;
   int width = 0, height = 0;           ///< of the pixels
-  CameraDesc camera;                   ///< that they were seen from
+  CameraDesc camera;                   ///< that they were seen from, in the scene file's coordinates
+  Vec3d frameOrigin{0.0};              ///< of the frame that photons and tree are in
   std::uint64_t pixelIterations = 0;   ///< that the pixels hold
   std::uint64_t pixelVersion = 0;      ///< changes with the pixels
   std::uint64_t photonVersion = 0;     ///< changes with the photons

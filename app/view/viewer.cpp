@@ -226,7 +226,8 @@ void Viewer::drawPicture() {
   glClearColor(0.07f, 0.07f, 0.08f, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   picture_.draw(place, fb.height, state_, counts_.seconds);
-  overlay_.draw(picture_, estimates_[estimateA].camera, state_, fb.height, gui_.scale());
+  const EstimateStatus& a = estimates_[estimateA];
+  overlay_.draw(picture_, moved(a.camera, -a.frameOrigin), state_, fb.height, gui_.scale());
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, fb.width, fb.height);
   gui_.end();

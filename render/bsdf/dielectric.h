@@ -12,6 +12,7 @@ struct DielectricParams {
   static constexpr const char* name = "dielectric";
   static constexpr const char* doc = "Smooth glass or water: Fresnel reflection and refraction.";
   static constexpr FeatureBits bit = feature::dielectric;
+  static constexpr bool transmits = true;
   float ior = 1.5f;  ///< inside (the side that the normal points away from) over outside
   Rgb reflectance{1.0f};
   Rgb transmittance{1.0f};

@@ -12,6 +12,7 @@ struct DiffuseParams {
   static constexpr const char* name = "diffuse";
   static constexpr const char* doc = "Lambertian reflection on both sides.";
   static constexpr FeatureBits bit = feature::diffuse;
+  static constexpr bool transmits = false;
   Rgb albedo{0.8f};
 
   template <class V>

@@ -11,6 +11,7 @@ struct MirrorParams {
   static constexpr const char* name = "mirror";
   static constexpr const char* doc = "Perfect specular reflection on both sides.";
   static constexpr FeatureBits bit = feature::mirror;
+  static constexpr bool transmits = false;
   Rgb reflectance{1.0f};
 
   template <class V>

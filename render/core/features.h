@@ -22,7 +22,8 @@ inline constexpr FeatureBits nearest = 1u << 10;     ///< k-nearest gather
 inline constexpr FeatureBits bvh = 1u << 11;         ///< bounding-volume hierarchy
 inline constexpr FeatureBits shortStack = 1u << 12;  ///< the kd-tree is traversed with a short stack, not by ropes
 inline constexpr FeatureBits instances = 1u << 13;   ///< meshes that are kept once and placed more often
-inline constexpr FeatureBits all = (1u << 14) - 1;
+inline constexpr FeatureBits coincident = 1u << 14;  ///< surfaces at the same place, met in a defined order
+inline constexpr FeatureBits all = (1u << 15) - 1;
 }  // namespace feature
 
 struct FeatureName {
@@ -43,6 +44,7 @@ inline constexpr FeatureName featureNames[] = {
     {feature::diffuse, "diffuse", "diffuse surfaces"},
     {feature::mirror, "mirror", "mirrors"},
     {feature::dielectric, "dielectric", "smooth dielectrics"},
+    {feature::coincident, "coincident", "surfaces at the same place"},
     {feature::lens, "lens", "thin-lens samples"},
     {feature::lights, "lights", "emitters and shadow rays"},
     {feature::photons, "photons", "photon pass, hash grid and gather"},

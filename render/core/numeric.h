@@ -25,9 +25,9 @@ RL_HD inline Vec3 absolute(Vec3 v) { return Vec3(abs(v.x), abs(v.y), abs(v.z)); 
 RL_HD inline Real lengthSquared(Vec3 v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
 /// Moves a computed surface point off its surface to the side of w, past the bound on its error (pbrt-3, §3.9.5).
-/// p, error in scene units; n unit length.
-RL_HD inline Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 n, Vec3 w) {
-  Real distance = dot(absolute(n), error);
+/// p, error in scene units; n unit length; by no more than `most`.
+RL_HD inline Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 n, Vec3 w, Real most = infinity) {
+  Real const distance = minOf(dot(absolute(n), error), most);
   Vec3 offset = n * (dot(w, n) < 0 ? -distance : distance);
   Vec3 const o = p + offset;
   Vec3 const rounding = (2 * machineEpsilon) * absolute(o);  // at least one step of each coordinate

@@ -65,6 +65,7 @@ class IntegratorBase : public Integrator {
 
   void timeStages(bool on) final { backend_.timeStages(on); }
   std::shared_ptr<const KdTree> tree() const final { return prepared_.tree; }
+  Vec3d frameOrigin() const final { return prepared_.flat->origin; }
   int gpu() const final { return backend_.gpu(); }
 
   bool present() final {

@@ -10,7 +10,8 @@ using Maker = std::unique_ptr<Integrator> (*)(const Prepared&);
 
 /// The maker's name is make_<mode>_<row>; those in cuda are defined only where that backend is built.
 #define RL_DECLARE(mode, row) std::unique_ptr<Integrator> make_##mode##_##row(const Prepared&);
-#define RL_DECLARE_ROWS(mode) RL_DECLARE(mode, basic) RL_DECLARE(mode, mesh) RL_DECLARE(mode, full)
+#define RL_DECLARE_ROWS(mode) \
+  RL_DECLARE(mode, basic) RL_DECLARE(mode, mesh) RL_DECLARE(mode, full) RL_DECLARE(mode, coincident)
 
 namespace cpu {
 RL_MODES(RL_DECLARE_ROWS)

@@ -23,7 +23,7 @@ struct MakerRow {
 #else
 #define RL_MAKER(mode, row) MakerRow{#mode, #row, cpu::make_##mode##_##row, nullptr},
 #endif
-#define RL_MAKER_ROWS(mode) RL_MAKER(mode, basic) RL_MAKER(mode, mesh) RL_MAKER(mode, full)
+#define RL_MAKER_ROWS(mode) RL_MAKER(mode, basic) RL_MAKER(mode, mesh) RL_MAKER(mode, full) RL_MAKER(mode, coincident)
 
 const MakerRow makers[] = {RL_MODES(RL_MAKER_ROWS)};
 

@@ -42,7 +42,7 @@ struct Stats {
   std::map<std::string, double> stageSeconds;     ///< stage name → seconds, where measured
 };
 
-/// A photon as a vertex buffer holds it.
+/// A photon as a vertex buffer holds it, in the frame of Integrator::frameOrigin.
 struct PhotonPoint {
   float position[3];
   float flux[3];          ///< watts
@@ -71,7 +71,9 @@ class Integrator {
   /// The mean of all iterations, linear radiance.
   virtual Image film() const = 0;
   virtual Stats stats() const = 0;
-  /// The tree that rays go through; empty where every primitive is tested.
+  /// Of the frame that the tree and the photons are in, in the scene file's coordinates.
+  virtual Vec3d frameOrigin() const = 0;
+  /// The tree that rays go through, in the frame; empty where every primitive is tested.
   virtual std::shared_ptr<const KdTree> tree() const = 0;
 
   /// Makes the mean of all iterations ready for copyPixels. False after interrupt().

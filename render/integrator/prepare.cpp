@@ -116,7 +116,7 @@ FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Se
 Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend, SceneCache& cache) {
   Prepared p;
   p.flat = cache.flat(scene.camera);
-  p.camera = scene.camera;
+  p.camera = p.flat->inFrame(scene.camera);
   p.film = scene.film;
   p.backend = backend;
   resolveAll(p, settings);
@@ -127,9 +127,9 @@ Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoi
 
 std::optional<Prepared> prepareAgain(const Prepared& before, const CameraDesc& camera, const Settings& settings) {
   Prepared p = before;
-  p.camera = camera;
+  p.camera = before.flat->inFrame(camera);
   resolveAll(p, settings);
-  if (!sameIntegrator(p, before) || reachOf(p.flat->bounds, camera.position) > p.flat->reach) return {};
+  if (!sameIntegrator(p, before) || reachOf(p.flat->bounds, p.camera.position) > p.flat->reach) return {};
   resolveRadius(p);
   return p;
 }

@@ -9,7 +9,7 @@ namespace ropelight {
 
 struct Prepared {
   std::shared_ptr<const FlatScene> flat;
-  CameraDesc camera;
+  CameraDesc camera;  ///< in the flat scene's frame
   FilmDesc film;
   Settings requested;  ///< as given
   Settings settings;   ///< resolved: no zero that means 'automatic' is left

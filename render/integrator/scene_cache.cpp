@@ -24,7 +24,7 @@ std::shared_ptr<SceneCache> makeSceneCache(const Scene& scene) { return std::mak
 
 std::shared_ptr<const FlatScene> SceneCache::flat(const CameraDesc& camera) {
   std::lock_guard const lock(mutex_);
-  double const needed = reachOf(flat_->bounds, camera.position);
+  double const needed = reachOf(flat_->bounds, flat_->inFrame(camera).position);
   if (needed > flat_->reach) {
     auto farther = std::make_shared<FlatScene>(*flat_);
     farther->reach = 4 * needed;

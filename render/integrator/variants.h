@@ -7,7 +7,7 @@
 #include "render/core/features.h"
 
 #define RL_MODES(X) X(ray) X(path) X(sppm) X(aov)
-#define RL_ROWS(X) X(basic) X(mesh) X(full)
+#define RL_ROWS(X) X(basic) X(mesh) X(full) X(coincident)
 
 namespace ropelight {
 
@@ -18,11 +18,15 @@ struct KernelRow {
 
 namespace row {
 /// Boxes, quads and spheres, tested one by one, seen through a pinhole.
-inline constexpr FeatureBits basic = feature::all & ~(feature::triangles | feature::instances | feature::tree |
-                                                      feature::shortStack | feature::bvh | feature::lens);
+inline constexpr FeatureBits basic =
+    feature::all & ~(feature::triangles | feature::instances | feature::tree | feature::shortStack | feature::bvh |
+                     feature::lens | feature::coincident);
 /// Everything but instances through the bounding-volume hierarchy.
-inline constexpr FeatureBits mesh = feature::all & ~(feature::tree | feature::shortStack | feature::instances);
-inline constexpr FeatureBits full = feature::all;
+inline constexpr FeatureBits mesh =
+    feature::all & ~(feature::tree | feature::shortStack | feature::instances | feature::coincident);
+inline constexpr FeatureBits full = feature::all & ~feature::coincident;
+/// Everything. Apart, since looking for surfaces at the same place costs registers.
+inline constexpr FeatureBits coincident = feature::all;
 }  // namespace row
 
 inline constexpr KernelRow kernelRows[] = {

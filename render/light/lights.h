@@ -2,6 +2,7 @@
 // The list of light shapes, and the two questions that the integrators ask: where does a photon start, and what light
 // reaches this point. Lights are chosen in proportion to their power.
 
+#include "accel/coincident.h"
 #include "render/core/frame.h"
 #include "render/core/warp.h"
 #include "render/light/quad_light.h"
@@ -56,49 +57,66 @@ RL_HD inline Emitted emitPhoton(const SceneView& scene, Real uLight, Vec2 uPoint
 /// One sample of the light that reaches a point: towards it, at what density per solid angle, how much if unoccluded.
 struct DirectSample {
   Surface surface;  ///< on the light
-  Vec3 wi{0};
-  Real pdf = 0;  ///< 0: nothing to be had here
+  Vec3 toward{0};   ///< from the point to it, scene units
+  Vec3 wi{0};       ///< the same with unit length
+  Real pdf = 0;     ///< 0: nothing to be had here
   Rgb radiance{0.0f};
 };
 
 template <FeatureBits F>
-RL_HD inline DirectSample sampleLight(const SceneView& scene, Vec3 from, Real uLight, Vec2 u) {
+RL_HD inline DirectSample sampleLight(const SceneView& scene, const Surface& from, Real uLight, Vec2 u) {
   DirectSample s;
   std::uint32_t const index = pickLight(scene, uLight);
   const Light& light = scene.lights[index];
+  Receiver const receiver{from.p, samePlace<F>(scene, from.primitive, light.primitive)};
   visitLight<F>(scene, light, [&](auto kind, const auto& shape) {
-    s.pdf = kind.sampleToward(shape, light.area, from, u, s.surface) * light.pick;
+    s.pdf = kind.sampleToward(shape, light.area, receiver, u, s.surface, s.toward) * light.pick;
   });
   s.surface.primitive = light.primitive;
   s.surface.light = std::int32_t(index);
-  Vec3 const d = s.surface.p - from;
-  Real const distance2 = lengthSquared(d);
+  Real const distance2 = lengthSquared(s.toward);
   if (!(distance2 > 0) || !(s.pdf > 0)) {
     s.pdf = 0;
     return s;
   }
-  s.wi = d * (1 / sqrt(distance2));
+  s.wi = s.toward * (1 / sqrt(distance2));
   s.radiance = emitted(scene, s.surface, -s.wi);
   if (isBlack(s.radiance)) s.pdf = 0;
   return s;
 }
 
-/// Density per solid angle with which sampleLight at `from` would have chosen the emitting point `on`.
+/// Density per solid angle with which sampleLight at `from` would have chosen the emitting point `on`, seen along the
+/// unit direction w.
 template <FeatureBits F>
-RL_HD inline Real lightPdf(const SceneView& scene, Vec3 from, const Surface& on) {
+RL_HD inline Real lightPdf(const SceneView& scene, Vec3 from, const Surface& on, Vec3 w) {
   const Light& light = scene.lights[std::uint32_t(on.light)];
+  Vec3 const toward = w * sqrt(lengthSquared(on.p - from));
   Real pdf = 0;
   visitLight<F>(scene, light,
-                [&](auto kind, const auto& shape) { pdf = kind.pdfToward(shape, light.area, from, on.p); });
+                [&](auto kind, const auto& shape) { pdf = kind.pdfToward(shape, light.area, from, on, toward); });
   return pdf * light.pick;
 }
 
-/// The segment between two surface points, kept clear of both; directions are t in (0, 1].
-RL_HD inline Ray segment(const Surface& a, const Surface& b) {
-  Vec3 const d = b.p - a.p;
-  Vec3 const from = offsetRayOrigin(a.p, a.error, a.n, d);
-  Vec3 const to = offsetRayOrigin(b.p, b.error, b.n, -d);
+/// The segment from a surface point to the one at `toward` from it, kept clear of both surfaces, but never by so much
+/// that the two ends pass each other; directions are t in (0, 1].
+RL_HD inline Ray segment(const Surface& a, Vec3 toward, const Surface& b) {
+  constexpr Real most = Real(0.4);  // of the way from each end
+  Vec3 const from = offsetRayOrigin(a.p, a.error, a.n, toward, most * abs(dot(a.n, toward)));
+  Vec3 const to = offsetRayOrigin(a.p + toward, b.error, b.n, -toward, most * abs(dot(b.n, toward)));
   return Ray{from, to - from, Real(1)};
+}
+
+/// Whether anything stands between a surface point and a sampled point of a light.
+template <FeatureBits F>
+RL_HD inline bool shadowed(const SceneView& scene, const Surface& s, const DirectSample& light) {
+  if constexpr ((F & feature::coincident) != 0) {
+    if (stack::before<F>(scene, s, light.toward).found()) return true;
+    Surface on = light.surface;
+    if (stack::before<F>(scene, on, -light.toward).found()) return true;
+    stack::widen(on, stack::layerOf(scene, on.primitive));
+    return occluded<F>(scene, segment(s, light.toward, on), on.primitive);
+  }
+  return occluded<F>(scene, segment(s, light.toward, light.surface), light.surface.primitive);
 }
 
 }  // namespace ropelight::RL_TARGET

@@ -4,6 +4,7 @@
 #include "render/core/frame.h"
 #include "render/core/rng.h"
 #include "render/core/warp.h"
+#include "render/light/receiver.h"
 #include "render/scene/view.h"
 
 namespace ropelight::RL_TARGET {
@@ -40,51 +41,67 @@ struct SphereLight {
     return sqrt(bound);
   }
 
-  RL_HD static Real sampleToward(const Sphere& sphere, Real /*area*/, Vec3 from, Vec2 u, Surface& out) {
-    Vec3 const o = sphere.toObject * (from - sphere.center);
+  /// A point that the receiver may see, and its density per solid angle there; 0 where there is none. toward: from the
+  /// receiver to the point, scene units, from the sampled direction: of a small sphere the point itself is too coarse.
+  RL_HD static Real sampleToward(const Sphere& sphere, Real /*area*/, const Receiver& from, Vec2 u, Surface& out,
+                                 Vec3& toward) {
+    Vec3 const o = sphere.toObject * (from.p - sphere.center);
     Real const distance2 = lengthSquared(o);
-    bool const inside = distance2 <= insideLimit(sphere);
-    Vec3 const local =
-        inside ? uniformSphere(u) : Frame(o * (-1 / sqrt(distance2))).toWorld(uniformCone(u, coneHeight(distance2)));
-    Real const b = -dot(o, local);
-    Real const root = sqrt(maxOf(Real(0), b * b - (distance2 - 1)));
-    Real const t = inside ? b + root : b - root;
-    if (!(t > 0)) return 0;
-    placeOn(sphere, o + local * t, out);
-    return objectPdf(distance2, inside) * solidAngleRatio(sphere, local);
+    bool const inside = from.onLight || distance2 < 1;
+    Seen const seen = inside ? seenFromWithin(o, u) : seenFromOutside(o, distance2, u);
+    if (!(seen.t > 0)) return 0;
+    placeOn(sphere, seen.point, out);
+    toward = (sphere.toWorld * seen.direction) * seen.t;
+    return objectPdf(distance2, inside) * solidAngleRatio(sphere, seen.direction);
   }
 
-  RL_HD static Real pdfToward(const Sphere& sphere, Real /*area*/, Vec3 from, Vec3 p) {
+  /// Density per solid angle of sampleToward for the point `on`, at `toward` from the receiver. Which side of the light
+  /// was met tells whether the receiver is inside.
+  RL_HD static Real pdfToward(const Sphere& sphere, Real /*area*/, Vec3 from, const Surface& on, Vec3 toward) {
     Vec3 const o = sphere.toObject * (from - sphere.center);
-    Real const distance2 = lengthSquared(o);
-    return objectPdf(distance2, distance2 <= insideLimit(sphere)) *
-           solidAngleRatio(sphere, normalize(sphere.toObject * (p - from)));
+    return objectPdf(lengthSquared(o), dot(on.n, toward) > 0) *
+           solidAngleRatio(sphere, normalize(sphere.toObject * toward));
   }
 
  private:
-  /// 1 − cos of the half-angle under which the unit sphere is seen from a distance > 1.
-  RL_HD static Real coneHeight(Real distance2) {
-    Real const sin2 = 1 / distance2;
-    return sin2 / (1 + sqrt(maxOf(Real(0), 1 - sin2)));
+  /// In object space: a point of the unit sphere, at t·direction from the receiver; direction has unit length.
+  struct Seen {
+    Vec3 point, direction;
+    Real t;
+  };
+
+  RL_HD static Seen seenFromWithin(Vec3 o, Vec2 u) {
+    Vec3 const d = uniformSphere(u);
+    Real const b = -dot(o, d);
+    Real const t = b + sqrt(maxOf(Real(0), b * b - (lengthSquared(o) - 1)));
+    return {o + d * t, d, t};
   }
 
-  /// Squared distance from the center, in object space, up to which a computed point of the surface may lie: such a
-  /// point is taken to be inside, where it may see the light it lies on.
-  RL_HD static Real insideLimit(const Sphere& sphere) {
-    Vec3 const c = absolute(sphere.center);
-    Vec3 const offset =
-        absolute(sphere.toObject[0]) * c.x + absolute(sphere.toObject[1]) * c.y + absolute(sphere.toObject[2]) * c.z;
-    return 1 + gammaBound(64) * (1 + maxAbs(offset));
+  /// Around the axis towards the receiver at distance D: a direction of sin θ = x/D passes the centre at the distance
+  /// x, and meets the sphere at height x²/D + cos θ √(1 − x²). No term grows with D, so that nothing cancels.
+  RL_HD static Seen seenFromOutside(Vec3 o, Real distance2, Vec2 u) {
+    Real const distance = sqrt(distance2), h = u.x * coneHeight(distance2);  // h = 1 − cos θ
+    Real const x2 = minOf(distance2 * h * (2 - h), Real(1)), x = sqrt(x2), root = sqrt(1 - x2);
+    Real const cosTheta = 1 - h, phi = 2 * pi * u.y;
+    Frame const axis(o * (1 / distance));
+    Vec3 const around = axis.s * cos(phi) + axis.t * sin(phi);
+    Vec3 const point = axis.n * (x2 / distance + cosTheta * root) + around * (x * (cosTheta - root / distance));
+    return {point, around * (x / distance) - axis.n * cosTheta, (distance2 - 1) / (distance * cosTheta + root)};
+  }
+
+  /// 1 − cos of the half-angle under which the unit sphere is seen from a distance of at least 1.
+  RL_HD static Real coneHeight(Real distance2) {
+    Real const sin2 = minOf(1 / distance2, Real(1));
+    return sin2 / (1 + sqrt(1 - sin2));
   }
 
   RL_HD static Real objectPdf(Real distance2, bool inside) {
     return inside ? invPi / 4 : uniformConePdf(coneHeight(distance2));
   }
 
-  /// dω_object/dω_world along a unit object-space direction: |M w|³/|det M|.
+  /// dω_object/dω_world along a unit object-space direction: |M w|³/|det M|, as a determinant of numbers near one.
   RL_HD static Real solidAngleRatio(const Sphere& sphere, Vec3 w) {
-    Real const length2 = lengthSquared(sphere.toWorld * w);
-    return length2 * sqrt(length2) * abs(determinant(sphere.toObject));
+    return abs(determinant(sphere.toObject * sqrt(lengthSquared(sphere.toWorld * w))));
   }
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "render/core/error.h"
+#include "render/scene/coincident.h"
 #include "render/scene/instances.h"
 
 namespace ropelight {
@@ -21,9 +22,11 @@ double area(const FlatTriangle& t) { return 0.5 * glm::length(glm::cross(t.b - t
 /// Shapes of one kind at a time, so that primitive numbers come out grouped.
 class Flattener {
  public:
-  Flattener(const Scene& scene, Instancing instancing) : scene_(scene), instancing_(instancing) {}
+  /// copied: shapes whose meshes are not placed, whatever the rule says.
+  Flattener(const Scene& scene, Instancing instancing, const std::vector<std::uint32_t>& copied)
+      : scene_(scene), instancing_(instancing), copied_(copied) {}
 
-  FlatScene run() {
+  FlatScene run(std::vector<std::uint32_t>& touching) {
     chooseKept();
     for (const NamedMaterial& m : scene_.materials) out_.materials.push_back(m.desc);
     for (const ShapeDesc& s : scene_.shapes) {
@@ -36,6 +39,9 @@ class Flattener {
       if (s.kind == ShapeKind::mesh && !kept(s)) addMesh(s);
     addInstances();
     finish();
+    CoincidentPairs const found = findCoincident(scene_, out_, shapeOf_);
+    touching = found.placed;
+    if (touching.empty()) out_.layers = makeLayers(scene_, out_, shapeOf_, found);
     return std::move(out_);
   }
 
@@ -46,6 +52,7 @@ class Flattener {
 
   void add(const ShapeDesc& shape, double area) {
     out_.material.push_back(std::uint32_t(shape.material));
+    shapeOf_.push_back(std::uint32_t(&shape - scene_.shapes.data()));
     if (diffuse(shape.material)) out_.diffuseArea += area;
     if (shape.kind == ShapeKind::mesh) return;
     bool const emits = shape.emission && !isBlack(shape.emission->radiance);
@@ -104,7 +111,9 @@ class Flattener {
     }
   }
 
-  static bool placeable(const ShapeDesc& s) {
+  bool placeable(const ShapeDesc& s) const {
+    auto const index = std::uint32_t(&s - scene_.shapes.data());
+    if (std::binary_search(copied_.begin(), copied_.end(), index)) return false;
     Vec3d const growth = roundingGrowth(Mat3d(s.toWorld));
     return std::max({growth.x, growth.y, growth.z}) <= maxInstanceGrowth;
   }
@@ -161,9 +170,8 @@ class Flattener {
     if (out_.material.size() >= (1u << 30))
       throw Error(fmt::format("{}: {} primitives; at most 2^30 fit", scene_.file, out_.material.size()));
     numberHits();
-    for (std::uint32_t i = 0; i < out_.primitiveCount(); ++i)
-      out_.bounds.grow(out_.primitiveBounds(i));  // without slack: there is no reach as yet
-    out_.reach = reachOf(out_.bounds, scene_.camera.position);
+    moveToFrame(out_);
+    out_.reach = reachOf(out_.bounds, out_.inFrame(scene_.camera).position);
     if (!(out_.reach < 1e15))
       throw Error(fmt::format("{}: the scene spans {:g} units; float arithmetic needs less than 1e15: scale it down",
                               scene_.file, out_.reach));
@@ -171,13 +179,23 @@ class Flattener {
 
   const Scene& scene_;
   Instancing instancing_;
-  std::vector<bool> keep_;  ///< by mesh of the scene
+  const std::vector<std::uint32_t>& copied_;
+  std::vector<std::uint32_t> shapeOf_;  ///< by primitive
+  std::vector<bool> keep_;              ///< by mesh of the scene
   FlatScene out_;
 };
 
 }  // namespace
 
-FlatScene flatten(const Scene& scene, Instancing instancing) { return Flattener(scene, instancing).run(); }
+FlatScene flatten(const Scene& scene, Instancing instancing) {
+  std::vector<std::uint32_t> copied, touching;
+  for (;;) {  // layers belong to primitives, which the triangles of placed meshes are not
+    FlatScene flat = Flattener(scene, instancing, copied).run(touching);
+    if (touching.empty()) return flat;
+    copied.insert(copied.end(), touching.begin(), touching.end());
+    std::sort(copied.begin(), copied.end());
+  }
+}
 
 FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera) {
   FeatureBits bits = 0;
@@ -189,6 +207,7 @@ FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera) {
     bits |= std::visit([](const auto& params) { return params.bit; }, flat.materials[m]);
   if (camera.apertureRadius > 0) bits |= feature::lens;
   if (!flat.lights.empty()) bits |= feature::lights;
+  if (!flat.layers.empty()) bits |= feature::coincident;
   return bits;
 }
 

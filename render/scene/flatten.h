@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/scene/layer.h"
 #include "render/scene/scene.h"
 
 namespace ropelight {
@@ -57,9 +58,14 @@ struct FlatInstance {
   Vec3d slack{0.0};  ///< what rounding may move it as rays see it, in units of 2⁻¹⁹ of the scene's reach
 };
 
-/// Primitives are numbered quads first, then spheres, then triangles, then instances; a hit on an instance has a number
-/// above all of them. The scene of a mesh that is kept once holds its triangles alone, centred and scaled by a power of
-/// two to within [−1, 1]; rays meet it from origins within [−2, 2], which its reach covers wherever it is placed.
+/// Coordinates are those of a frame of its own, moved by whole steps so that the scene lies near the origin, where
+/// floats are fine: x_file = x_flat + origin. The step is a power of two, 2.8 to
+/// 5.7 times the scene's extent, so that scenes within 1.4 times their extent of the origin are not moved, and moves by
+/// multiples of it change no bit.
+/// Primitives are numbered quads first, then spheres, then triangles, then instances; a hit on an instance has a
+/// number above all of them. The scene of a mesh that is kept once holds its triangles alone, centred and scaled by a
+/// power of two to within [−1, 1]; rays meet it from origins within [−2, 2], which its reach covers wherever it is
+/// placed.
 struct FlatScene {
   std::vector<FlatQuad> quads;
   std::vector<FlatSphere> spheres;
@@ -70,9 +76,14 @@ struct FlatScene {
   std::vector<std::int32_t> light;                       ///< by quad and sphere; −1: none
   std::vector<FlatLight> lights;
   std::vector<MaterialDesc> materials;
-  double diffuseArea = 0;  ///< of one side of every diffuse primitive
+  std::vector<Layer> layers;  ///< by primitive; empty where no surfaces lie at the same place
+  double diffuseArea = 0;     ///< of one side of every diffuse primitive
+  Vec3d origin{0.0};          ///< of the frame, in the file's coordinates
   Bounds bounds;
   double reach = 0;  ///< reachOf the bounds and the camera, or more
+
+  /// A camera of the file in the frame.
+  CameraDesc inFrame(const CameraDesc& camera) const { return moved(camera, -origin); }
 
   std::uint32_t primitiveCount() const;
   /// All numbers that a hit may have are below: primitives, and the triangles of every instance.
@@ -86,13 +97,13 @@ struct FlatScene {
   bool overlapsSurface(std::uint32_t primitive, const Bounds& box) const;
 };
 
-/// Largest distance along an axis between any two of: the bounds, the position, the origin.
+/// Largest distance along an axis between any two of: the bounds, the position, the frame's origin.
 double reachOf(const Bounds& bounds, Vec3d position);
 
 /// Which meshes are kept once and placed; the triangles of all others are copied into the world, which is faster.
 enum class Instancing : std::uint8_t {
   automatic,  ///< those whose copies would be many triangles
-  always,     ///< every mesh
+  always,     ///< every mesh; in either case but where it touches another surface
   never,
 };
 
@@ -103,6 +114,9 @@ inline constexpr std::uint64_t leastSpared = 1000;
 /// Where rounding in a mesh's space grows by more than this on its way into the world, the mesh is copied: the largest
 /// row sum of |M|·|M⁻¹|, M being the linear part. 3 at most for rotations of any scales along the mesh's own axes.
 inline constexpr double maxInstanceGrowth = 64;
+
+/// Moves a scene that was flattened in the file's coordinates to its frame; fills origin and bounds.
+void moveToFrame(FlatScene& flat);
 
 /// Throws Error where numbers leave the range of float, there are more than 2³⁰ primitives, or more than 2³² − 1 things
 /// to hit.

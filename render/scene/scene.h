@@ -34,6 +34,13 @@ struct CameraDesc {
   bool operator==(const CameraDesc&) const = default;
 };
 
+/// The same view with everything moved by an offset.
+inline CameraDesc moved(CameraDesc camera, Vec3d offset) {
+  camera.position += offset;
+  camera.target += offset;
+  return camera;
+}
+
 struct FilmDesc {
   int width = 512;   ///< pixels
   int height = 512;  ///< pixels

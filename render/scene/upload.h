@@ -46,6 +46,7 @@ class DeviceScene {
     view.triangles = convert(triangles_, "triangles", flat.triangles);
     view.material = copy(material_, "materials", flat.material);
     if (!flat.lights.empty()) view.lightOf = copy(lightOf_, "lights", flat.light);
+    if (!flat.layers.empty()) view.layers = copy(layers_, "materials", flat.layers);
     view.materials = convert(materials_, "materials", flat.materials);
     view.primitiveCount = flat.primitiveCount();
     uploadLights(flat);
@@ -111,6 +112,7 @@ class DeviceScene {
   Buffer<Triangle> triangles_;
   Buffer<std::uint32_t> material_;
   Buffer<std::int32_t> lightOf_;
+  Buffer<Layer> layers_;
   Buffer<Material> materials_;
   Buffer<Light> lights_;
   Buffer<Real> lightCdf_;

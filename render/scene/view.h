@@ -7,6 +7,7 @@
 #include "render/bsdf/bsdfs.h"
 #include "render/core/span.h"
 #include "render/light/side.h"
+#include "render/scene/layer.h"
 
 namespace ropelight::RL_TARGET {
 
@@ -33,6 +34,7 @@ struct SceneView {
   Span<const MeshView> meshes;         ///< that instances name
   Span<const std::uint32_t> material;  ///< by primitive
   Span<const std::int32_t> lightOf;    ///< by quad and sphere; −1: none
+  Span<const Layer> layers;            ///< by primitive; empty where no surfaces coincide
   Span<const Material> materials;
   Span<const Light> lights;
   Span<const Real> lightCdf;         ///< inclusive sums of Light::pick

@@ -18,13 +18,13 @@ template <FeatureBits F, class Bsdf>
 RL_HD inline Rgb directLight(const FrameView& frame, const Surface& s, const Frame& local, const Bsdf& bsdf, Vec3 wo,
                              Sampler& sampler, bool mis, Tally& tally) {
   Real const uLight = sampler.next1();
-  DirectSample const light = sampleLight<F>(frame.scene, s.p, uLight, sampler.next2());
+  DirectSample const light = sampleLight<F>(frame.scene, s, uLight, sampler.next2());
   if (light.pdf == 0) return Rgb(0.0f);
   Vec3 const wi = local.toLocal(light.wi);
   Rgb const f = bsdf.eval(wo, wi);
   if (isBlack(f)) return Rgb(0.0f);
   ++tally.shadowRays;
-  if (occluded<F>(frame.scene, segment(s, light.surface), light.surface.primitive)) return Rgb(0.0f);
+  if (shadowed<F>(frame.scene, s, light)) return Rgb(0.0f);
   Real const weight = mis ? powerHeuristic(light.pdf, bsdf.pdf(wo, wi)) : Real(1);
   return f * light.radiance * float(abs(wi.z) * weight / light.pdf);
 }

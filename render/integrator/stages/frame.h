@@ -1,7 +1,7 @@
 #pragma once
 // What every stage of one iteration knows, and the order in which pixels are worked on.
 
-#include "accel/intersect.h"
+#include "accel/coincident.h"
 #include "render/camera/camera.h"
 #include "render/integrator/settings.h"
 #include "render/sampler/sampler.h"
@@ -51,8 +51,5 @@ struct FrameView {
 
 /// Survival probability of Russian roulette: lossless bounces (light caught inside glass) end too, after many.
 RL_HD inline Real rouletteSurvival(Real kept, int edges) { return minOf(kept, edges > 64 ? Real(0.95) : Real(1)); }
-
-/// The ray that leaves a surface along w, clear of the surface on w's side.
-RL_HD inline Ray leave(const Surface& s, Vec3 w) { return Ray{offsetRayOrigin(s.p, s.error, s.n, w), w, infinity}; }
 
 }  // namespace ropelight::RL_TARGET

@@ -33,7 +33,7 @@ struct TraceAov {
     Hit const hit = closestHit<F>(frame.scene, ray);
     if (!hit.found()) return Rgb(0.0f);
     if (aov == Aov::depth) return Rgb(float(hit.t));
-    Surface const s = surfaceAt<F>(frame.scene, ray, hit);
+    Surface const s = surfaceMet<F>(frame.scene, ray, hit);
     if (aov == Aov::normal) return Rgb(s.n);
     Rgb albedo(0.0f);
     visitBsdf<F>(frame.scene.materials[s.material],

@@ -33,28 +33,28 @@ struct TraceCamera {
     if (frame.pixelOf(slot, x, y)) {
       Sampler sampler = frame.cameraSampler(x, y);
       Ray const ray = frame.cameraRay<F>(x, y, sampler);
-      sum = trace(ray, sampler, point, tally);
+      sum = trace(Flight{ray, Hit{}}, sampler, point, tally);
     }
     radiance[slot] = sum;
     if (!points.empty()) points[slot] = point;
   }
 
  private:
-  RL_HD Rgb trace(Ray ray, Sampler& sampler, GatherPoint& point, Tally& tally) const {
+  RL_HD Rgb trace(Flight flight, Sampler& sampler, GatherPoint& point, Tally& tally) const {
     Rgb sum(0.0f), throughput(1.0f);
     Real radianceScale = 1;
     for (int edges = 1; edges <= frame.maxDepth; ++edges) {
       ++tally.rays;
-      Hit const hit = closestHit<F>(frame.scene, ray);
-      if (!hit.found()) return sum;
-      Surface const s = surfaceAt<F>(frame.scene, ray, hit);
-      if (!frame.indirectOnly && !frame.dark) sum += throughput * emitted(frame.scene, s, -ray.direction);
+      Surface s;
+      if (!meet<F>(frame.scene, flight, s)) return sum;
+      Vec3 const back = -flight.ray.direction;
+      if (!frame.indirectOnly && !frame.dark) sum += throughput * emitted(frame.scene, s, back);
       bool goesOn = false;
       visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
         Frame const local(s.n);
-        Vec3 const wo = local.toLocal(-ray.direction);
+        Vec3 const wo = local.toLocal(back);
         if constexpr (std::decay_t<decltype(bsdf)>::specular) {
-          goesOn = bounce(bsdf, s, local, wo, sampler, throughput, radianceScale, edges, ray);
+          goesOn = bounce(bsdf, s, local, wo, sampler, throughput, radianceScale, edges, flight);
         } else {
           sum += throughput * arrive(bsdf, s, local, wo, sampler, edges, tally);
           Vec3 const n = wo.z < 0 ? -s.n : s.n;
@@ -79,8 +79,8 @@ struct TraceCamera {
 
   /// False where Russian roulette ends a long chain of absorbing bounces.
   template <class Bsdf>
-  RL_HD static bool bounce(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler,
-                           Rgb& throughput, Real& radianceScale, int edges, Ray& ray) {
+  RL_HD bool bounce(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler, Rgb& throughput,
+                    Real& radianceScale, int edges, Flight& flight) const {
     Vec2 const u = sampler.next2();
     BsdfSample const b = bsdf.sample(wo, u.x, Vec2(0), Transport::radiance);
     throughput *= b.weight;
@@ -90,7 +90,7 @@ struct TraceCamera {
       if (u.y >= survival) return false;
       throughput *= float(1 / survival);
     }
-    ray = leave(s, normalize(local.toWorld(b.wi)));
+    flight = depart<F>(frame.scene, s, normalize(local.toWorld(b.wi)));
     return !isBlack(throughput);
   }
 };

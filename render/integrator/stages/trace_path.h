@@ -19,7 +19,7 @@ struct TracePath {
     if (!frame.pixelOf(slot, x, y)) return;
     Sampler sampler = frame.cameraSampler(x, y);
     Ray const ray = frame.cameraRay<F>(x, y, sampler);
-    radiance[slot] = trace(ray, sampler, tally);
+    radiance[slot] = trace(Flight{ray, Hit{}}, sampler, tally);
   }
 
  private:
@@ -31,24 +31,24 @@ struct TracePath {
     int diffuseHits = 0;  ///< non-specular vertices so far
   };
 
-  RL_HD Rgb trace(Ray ray, Sampler& sampler, Tally& tally) const {
+  RL_HD Rgb trace(Flight flight, Sampler& sampler, Tally& tally) const {
     Rgb sum(0.0f);
     State state;
     for (int edges = 1; edges <= frame.maxDepth; ++edges) {
       ++tally.rays;
-      Hit const hit = closestHit<F>(frame.scene, ray);
-      if (!hit.found()) return sum;
-      Surface const s = surfaceAt<F>(frame.scene, ray, hit);
-      sum += state.throughput * arrivingEmission(s, ray, state);
+      Surface s;
+      if (!meet<F>(frame.scene, flight, s)) return sum;
+      Vec3 const w = flight.ray.direction;
+      sum += state.throughput * arrivingEmission(s, w, state);
       bool goesOn = false;
       visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
         Frame const local(s.n);
-        Vec3 const wo = local.toLocal(-ray.direction);
+        Vec3 const wo = local.toLocal(-w);
         if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
           if (edges < frame.maxDepth) sum += state.throughput * nextEvent(bsdf, s, local, wo, sampler, state, tally);
           ++state.diffuseHits;
         }
-        goesOn = bounce(bsdf, s, local, wo, sampler, state, edges, ray);
+        goesOn = bounce(bsdf, s, local, wo, sampler, state, edges, flight);
       });
       if (!goesOn) return sum;
     }
@@ -58,12 +58,12 @@ struct TracePath {
 
   /// Emission that the path ran into, weighted against the light sample that could have found it. `indirectOnly` leaves
   /// out what reaches the eye before a diffuse surface and what the first diffuse surface sees directly.
-  RL_HD Rgb arrivingEmission(const Surface& s, const Ray& ray, const State& state) const {
-    Rgb const light = emitted(frame.scene, s, -ray.direction);
+  RL_HD Rgb arrivingEmission(const Surface& s, Vec3 w, const State& state) const {
+    Rgb const light = emitted(frame.scene, s, -w);
     if (isBlack(light)) return light;
     if (frame.indirectOnly && (state.diffuseHits == 0 || (state.diffuseHits == 1 && state.pdf > 0))) return Rgb(0.0f);
     if (state.pdf == 0) return light;
-    return light * float(powerHeuristic(state.pdf, lightPdf<F>(frame.scene, state.from, s)));
+    return light * float(powerHeuristic(state.pdf, lightPdf<F>(frame.scene, state.from, s, w)));
   }
 
   template <class Bsdf>
@@ -76,8 +76,8 @@ struct TracePath {
   }
 
   template <class Bsdf>
-  RL_HD static bool bounce(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler,
-                           State& state, int edges, Ray& ray) {
+  RL_HD bool bounce(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler, State& state,
+                    int edges, Flight& flight) const {
     Vec2 const direction = sampler.next2(), u = sampler.next2();
     BsdfSample const b = bsdf.sample(wo, u.x, direction, Transport::radiance);
     state.throughput *= b.weight;
@@ -89,7 +89,7 @@ struct TracePath {
       if (!(u.y < survival)) return false;
       state.throughput *= float(1 / survival);
     }
-    ray = leave(s, normalize(local.toWorld(b.wi)));
+    flight = depart<F>(frame.scene, s, normalize(local.toWorld(b.wi)));
     return !isBlack(state.throughput);
   }
 };

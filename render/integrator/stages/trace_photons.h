@@ -17,19 +17,19 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
   Vec2 const uPoint = sampler.next2(), uDirection = sampler.next2();
   Emitted const start = emitPhoton<F>(frame.scene, uLight, uPoint, uDirection, pathsPerIteration);
   Rgb flux = start.flux;
-  Ray ray = leave(start.surface, start.direction);
+  Flight flight = depart<F>(frame.scene, start.surface, start.direction);
+  if (hiddenAtStart<F>(frame.scene, flight)) return 0;
   std::uint32_t count = 0;
   bool specularSoFar = true;
   for (int edges = 1; edges < frame.maxDepth; ++edges) {
     ++tally.rays;
-    Hit const hit = closestHit<F>(frame.scene, ray);
-    if (!hit.found()) return count;
-    Surface const s = surfaceAt<F>(frame.scene, ray, hit);
+    Surface s;
+    if (!meet<F>(frame.scene, flight, s)) return count;
     Vec2 const direction = sampler.next2(), u = sampler.next2();
     bool goesOn = false;
     visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
       Frame const local(s.n);
-      Vec3 const wo = local.toLocal(-ray.direction);
+      Vec3 const wo = local.toLocal(-flight.ray.direction);
       if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
         // One edge from the light is direct light, which shadow rays have unless photons are to carry it.
         if (edges > 1 || !(frame.shadowRays || frame.indirectOnly))
@@ -43,7 +43,7 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
       Real const survival = rouletteSurvival(Real(maxComponent(next) / maxComponent(flux)), edges);
       goesOn = survival > u.y;
       flux = survival < 1 ? next * float(1 / survival) : next;
-      ray = leave(s, normalize(local.toWorld(b.wi)));
+      flight = depart<F>(frame.scene, s, normalize(local.toWorld(b.wi)));
     });
     if (!goesOn) return count;
   }
