@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -10,6 +12,7 @@
 #include "render/scene/obj.h"
 #include "render/scene/transform.h"
 #include "tests/scene_files.h"
+#include "tests/test_random.h"
 
 using namespace ropelight;
 namespace fs = std::filesystem;
@@ -62,6 +65,59 @@ TEST_CASE("every form of a face is understood, also counted backwards and across
   for (const glm::uvec3& triangle : mesh.triangles) CHECK(triangle == glm::uvec3(0, 1, 2));
 }
 
+TEST_CASE("a backslash continues a line, whatever ends it, and a comment does not go on") {
+  std::string const corners = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 3 0\nv 0 2 0\n";
+  for (const char* face :
+       {"f 1 2 3 \\\n4 5\n", "f 1 2 3 \\\r\n4 5\r\n", "f 1 2 3\\\r4 5", "f 1 2 3 \\ \t\n  4\t5",
+        "f\\\n1 2 \\\n3 4 \\\n5 \\", "f 1 2 3 \\ # some\n4 5 # more \\\n", "f 1 2 3 4 5 # C:\\\n# \\\n"}) {
+    CAPTURE(face);
+    Mesh const mesh = loadText(corners + face);
+    CHECK(mesh.triangles == std::vector<glm::uvec3>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
+  }
+  // A comment that ends in a backslash does not swallow the line below it.
+  CHECK(loadText("# from C:\\meshes\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3").positions.size() == 3);
+}
+
+TEST_CASE("comments may follow a statement, also without a blank") {
+  Mesh const mesh = loadText("v 0 0 0#one\nv 1 0 0 # two\nv 0 1 0\nf 1 2 3 # last face\nf 3 2 1# glued\n#f 9 9 9\n");
+  CHECK(mesh.triangles == std::vector<glm::uvec3>{{0, 1, 2}, {2, 1, 0}});
+}
+
+TEST_CASE("a byte order mark is skipped") {
+  Mesh const mesh = loadText("\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 5 5 0\nf 1 2 3 4\n");
+  CHECK(mesh.positions.size() == 5);
+  CHECK(mesh.positions[mesh.triangles[0].x] == Vec3d(0));
+}
+
+TEST_CASE("weights, colours and other statements are read past") {
+  Mesh const mesh = loadText(
+      "mtllib a.mtl\nmtllib b c.mtl\nv 0 0 0 1\nv 1 0 0 0.5 0.25 1\nv 0 1 0 1 0.5 0.25 1\nvp 1 2\nfo 1 2 3\n"
+      "usemtl \xC3\xA9\nunheard of\nf 1/ 2// 3/4/\n");
+  CHECK(mesh.positions.size() == 3);
+  CHECK(mesh.triangles.size() == 2);
+}
+
+TEST_CASE("coordinates are the nearest doubles, however they are written") {
+  Mesh const mesh = loadText(
+      "v 1E-400 -1e-99999999999999999999 0.000e5000\nv 4.9e-324 123456789012345678901234567890e-29 +.5\n"
+      "v 0.1 2. 00017.30\nv 1e-5000000 0.00000001e-320 1234e-330\nf 1 2 3\n");
+  CHECK(mesh.positions[0] == Vec3d(0));
+  CHECK(mesh.positions[1] == Vec3d(4.9e-324, 1.23456789012345678901234567890, 0.5));
+  CHECK(mesh.positions[2] == Vec3d(0.1, 2, 17.3));
+  CHECK(mesh.positions[3] == Vec3d(0, 0, 0));
+  TestRandom random(3);
+  std::string text;
+  std::vector<double> expected;
+  for (int i = 0; i < 3000; ++i) {
+    expected.push_back(random.between(-1000, 1000) * random.unit());
+    text += fmt::format("{}{:.17g}{}", i % 3 == 0 ? "v " : " ", expected.back(), i % 3 == 2 ? "\n" : "");
+  }
+  Mesh const many = loadText(text + "f 1 2 3\n");
+  int wrong = 0;
+  for (int i = 0; i < 3000; ++i) wrong += many.positions[std::size_t(i / 3)][i % 3] != expected[std::size_t(i)];
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("an OBJ alone becomes a scene with camera, room and light") {
   TemporaryFolder folder;
   // An upright triangle pair, far from the origin and small.
@@ -91,6 +147,14 @@ TEST_CASE("an OBJ alone becomes a scene with camera, room and light") {
     Vec3d const toVertex = glm::normalize(p - scene.camera.position);
     CHECK(glm::dot(toVertex, forward) > std::cos(scene.camera.verticalFov / 2 * 3.14159265 / 180));
   }
+}
+
+TEST_CASE("vertices that no face uses do not move the camera of an OBJ alone") {
+  TemporaryFolder folder;
+  std::string const mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  Scene const alone = loadScene(writeFile(folder, "a.obj", mesh));
+  Scene const lamp = loadScene(writeFile(folder, "b.obj", mesh + "v 1000 1000 0\n"));
+  CHECK(lamp.camera == alone.camera);
 }
 
 TEST_CASE("the bunny loads") {

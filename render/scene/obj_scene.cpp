@@ -1,6 +1,7 @@
 #include "render/scene/obj_scene.h"
 
 #include "render/core/error.h"
+#include "render/scene/flatten.h"
 #include "render/scene/obj.h"
 #include "render/scene/transform.h"
 
@@ -15,11 +16,10 @@ struct Framing {
 };
 
 Framing frame(const Mesh& mesh) {
-  Vec3d low = mesh.positions.front(), high = low;
-  for (const Vec3d& p : mesh.positions) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
+  Bounds bounds;  // of the faces; other vertices may be anywhere
+  for (const glm::uvec3& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) bounds.grow(mesh.positions[t[i]]);
+  Vec3d const low = bounds.min, high = bounds.max;
   double const radius = glm::length(high - low) / 2;
   if (!(radius >= minExtent && radius <= maxCoordinate / 100))
     throw Error(mesh.file + ": the mesh has no usable size: its vertices all coincide or lie too far apart");

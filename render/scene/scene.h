@@ -9,6 +9,7 @@
 #include "render/core/params.h"
 #include "render/core/vec.h"
 #include "render/light/side.h"
+#include "render/scene/mesh_report.h"
 
 namespace ropelight {
 
@@ -64,6 +65,7 @@ struct Mesh {
   std::string file;
   std::vector<Vec3d> positions;
   std::vector<glm::uvec3> triangles;
+  MeshReport report{};
 };
 
 struct NamedMaterial {

@@ -6,7 +6,8 @@
 
 namespace ropelight {
 
-/// The bytes of a file. Throws Error with the system's reason; `remedy` ends the message.
+/// The text of a file, without the byte order mark that UTF-8 may start with. Throws Error with the system's reason,
+/// where `remedy` ends the message, and where the bytes are UTF-16, UTF-32 or no text.
 std::string readTextFile(const std::filesystem::path& path, const std::string& remedy);
 
 }  // namespace ropelight
