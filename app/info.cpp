@@ -86,6 +86,7 @@ void printText(const Scene& scene, const Settings& settings, const Stats& stats)
     fmt::print("{:<12}{} nodes, {} leaves, depth {}, SAH cost {:.1f}, built in {:.3f} s\n", "tree", stats.treeNodes,
                stats.treeLeaves, stats.treeDepth, stats.treeCost, stats.treeSeconds);
   if (stats.firstRadius > 0) fmt::print("{:<12}{:.6g} scene units at first\n", "radius", stats.firstRadius);
+  for (const std::string& note : scene.notes) fmt::print("{:<12}{}\n", "note", note);
   printFeatures(stats.features);
   printMemory(stats);
 }
@@ -106,6 +107,7 @@ int runInfo(const InfoOptions& options) {
                              {"scene", scene.file},
                              {"shapes", countShapes(scene)},
                              {"materials", countMaterials(scene)},
+                             {"notes", scene.notes},
                              {"features", describeFeatures(stats.features)},
                              {"settings", toJson(settings)},
                              {"stats", toJson(stats)}});

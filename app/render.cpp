@@ -65,6 +65,7 @@ nlohmann::ordered_json statistics(const RenderOptions& options, const Scene& sce
                                   const Stats& stats, const Accumulated& run) {
   return {{"version", version},
           {"scene", scene.file},
+          {"notes", scene.notes},
           {"outputs", options.outputs},
           {"wallSeconds", run.seconds},
           {"interrupted", run.interrupted},
@@ -112,6 +113,8 @@ int runRender(const RenderOptions& options) {
   if (!options.json.empty()) writeJson(options.json, statistics(options, scene, settings, stats, run));
   if (run.interrupted) fmt::print(stderr, "stopped early, after {} iterations\n", stats.iterations);
   if (!options.quiet) printSummary(options, stats, run);
+  if (!options.quiet)
+    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
   printWarnings(stats);
   return int(ExitCode::done);
 }

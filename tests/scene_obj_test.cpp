@@ -155,6 +155,7 @@ TEST_CASE("vertices that no face uses do not move the camera of an OBJ alone") {
   Scene const alone = loadScene(writeFile(folder, "a.obj", mesh));
   Scene const lamp = loadScene(writeFile(folder, "b.obj", mesh + "v 1000 1000 0\n"));
   CHECK(lamp.camera == alone.camera);
+  CHECK(lamp.notes == std::vector<std::string>{(folder / "b.obj").string() + ": 1 vertex belongs to no face"});
 }
 
 TEST_CASE("the bunny loads") {

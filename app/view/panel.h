@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "app/view/actions.h"
 #include "app/view/camera_control.h"
@@ -30,8 +31,9 @@ struct PanelContext {
   DisplayTimes displayTimes;
   double framesPerSecond = 0;
   std::string sceneName;
-  std::string problem;  ///< the latest failure to load or save; empty: none
-  std::string notice;   ///< the latest thing that was done, such as a file saved
+  std::vector<std::string> sceneNotes;  ///< Scene::notes
+  std::string problem;                  ///< the latest failure to load or save; empty: none
+  std::string notice;                   ///< the latest thing that was done, such as a file saved
   bool cursorOnPicture = false;
   int cursorX = 0, cursorY = 0;  ///< pixel of the film under the cursor
   /// Pixels around the cursor as they are in the textures: RGBA of A, B and the reference, rows from the top,

@@ -83,6 +83,7 @@ void drawStatistics(PanelContext& context) {
   const EstimateStatus& status = context.estimates[std::size_t(context.state.edited)];
   if (context.state.compare.enabled) quietText(context.state.edited == estimateA ? "Estimate A" : "Estimate B");
   drawDevice(context);
+  for (const std::string& note : context.sceneNotes) problemText(note);
   if (!status.ready) return quietText("No iteration yet.");
   ImGui::Separator();
   drawRates(status.stats);

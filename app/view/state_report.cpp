@@ -102,6 +102,7 @@ Json stateReport(const PanelContext& context, Picture& picture, const Window& wi
   Size const size = window.windowSize(), pixels = window.framebufferSize();
   Rect const shown = picture.pictureRect(0);
   return {{"scene", context.sceneName},
+          {"sceneNotes", context.sceneNotes},
           {"scenesLoaded", counts.scenes},
           {"problem", context.problem},
           {"notice", context.notice},

@@ -248,6 +248,7 @@ PanelContext Viewer::context() {
                  picture_.times(),
                  0,
                  "",
+                 {},
                  problem_,
                  notice_,
                  false,
@@ -256,6 +257,7 @@ PanelContext Viewer::context() {
                  {}};
   c.framesPerSecond = counts_.medianMs > 0 ? 1e3 / counts_.medianMs : 0;
   c.sceneName = scene_ ? scene_->file : comingScene_->file;
+  if (scene_) c.sceneNotes = scene_->notes;
   if (problem_.empty()) c.problem = picture_.problem();
   readMagnifier(c);
   return c;

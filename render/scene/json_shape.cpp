@@ -7,6 +7,7 @@
 #include "render/scene/json_transform.h"
 #include "render/scene/obj.h"
 #include "render/scene/transform.h"
+#include "render/scene/winding.h"
 
 namespace ropelight {
 namespace {
@@ -52,7 +53,7 @@ const ShapeType& shapeType(const JsonNode& node) {
       {"sphere", ShapeKind::sphere, {"center", "radius"}, placeSphere},
       {"box", ShapeKind::box, {"min", "max"}, placeBox},
       {"quad", ShapeKind::quad, {"corner", "edge1", "edge2"}, placeQuad},
-      {"mesh", ShapeKind::mesh, {"file", "generator"}, placeMesh},
+      {"mesh", ShapeKind::mesh, {"file", "generator", "flip"}, placeMesh},
   };
   std::vector<std::string> names;
   for (const ShapeType& type : types) names.push_back(type.name);
@@ -80,16 +81,25 @@ std::optional<Emission> readEmission(const JsonNode& node) {
   return emission;
 }
 
-/// The index of a mesh, read once however many shapes name its file.
+/// The index of a mesh, read once however many shapes name its file; a turned one is a copy.
 int readMesh(const JsonNode& node, Scene& scene) {
+  auto const turned = node.find("flip");
+  bool const flipped = turned && turned->boolean();
+  std::optional<Mesh> mesh;
   JsonNode const file = node.at("file");
   fs::path const path = (fs::path(scene.file).parent_path() / file.string()).lexically_normal();
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    if (scene.meshes[i].file == path.string()) return static_cast<int>(i);
+    if (scene.meshes[i].file == path.string()) {
+      if (scene.meshes[i].flipped == flipped) return static_cast<int>(i);
+      mesh = scene.meshes[i];
+    }
   auto const generator = node.find("generator");
   std::string const remedy = generator ? "run " + generator->string() + " to make it" : "check the path";
-  scene.meshes.push_back(
-      loadObj(path, fmt::format("{}: {} names it, relative to the scene; {}", file.file(), file.pointer(), remedy)));
+  if (!mesh)
+    mesh =
+        loadObj(path, fmt::format("{}: {} names it, relative to the scene; {}", file.file(), file.pointer(), remedy));
+  if (mesh->flipped != flipped) flip(*mesh);
+  scene.meshes.push_back(std::move(*mesh));
   return static_cast<int>(scene.meshes.size()) - 1;
 }
 

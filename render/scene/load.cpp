@@ -8,6 +8,7 @@
 #include "render/scene/json_scene.h"
 #include "render/scene/obj_scene.h"
 #include "render/scene/suggest.h"
+#include "render/scene/winding.h"
 
 namespace ropelight {
 namespace {
@@ -18,6 +19,15 @@ struct Format {
 };
 
 constexpr Format formats[] = {{".json", loadJsonScene}, {".obj", loadObjScene}};
+
+void addNotes(Scene& scene) {
+  for (const Mesh& mesh : scene.meshes) {
+    std::string const note = describe(mesh.file, mesh.report);
+    bool const isNew = std::find(scene.notes.begin(), scene.notes.end(), note) == scene.notes.end();
+    if (!note.empty() && isNew) scene.notes.push_back(note);
+  }
+  for (std::string& note : windingNotes(scene)) scene.notes.push_back(std::move(note));
+}
 
 char lowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -36,6 +46,7 @@ Scene loadScene(const std::filesystem::path& path) {
     if (extension != format.extension) continue;
     Scene scene = format.load(path);
     validateScene(scene);
+    addNotes(scene);
     return scene;
   }
   throw Error(fmt::format("{}: \"{}\" is no known scene format; expected one of {}", path.string(), extension,

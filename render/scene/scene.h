@@ -65,6 +65,7 @@ struct Mesh {
   std::string file;
   std::vector<Vec3d> positions;
   std::vector<glm::uvec3> triangles;
+  bool flipped = false;  ///< its triangles are turned against those of the file
   MeshReport report{};
 };
 
@@ -91,6 +92,7 @@ struct Scene {
   std::vector<NamedMaterial> materials;
   std::vector<Mesh> meshes;
   std::vector<ShapeDesc> shapes;
+  std::vector<std::string> notes;  ///< what the loader repaired, approximated or doubts; a line a file or a shape
 };
 
 /// Refuses what no format may hold: no shapes, values that are not finite, a camera without a direction, shapes that
