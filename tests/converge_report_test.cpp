@@ -63,6 +63,14 @@ bool nests(const std::string& html) {
   return open.empty();
 }
 
+/// Base64 may spell any word.
+std::string withoutPictures(std::string html) {
+  static const std::string start = ";base64,";
+  for (std::size_t at = 0; (at = html.find(start, at)) != std::string::npos; at += start.size())
+    html.erase(at + start.size(), html.find('"', at) - at - start.size());
+  return html;
+}
+
 Study smallStudy(int seeds = 3) { return fakeStudy({fakeScene("cornell", 24, seeds)}, seeds); }
 
 }  // namespace
@@ -99,7 +107,7 @@ TEST_CASE("the page holds the figures of a study and needs no network") {
   CHECK(count(html, "<img") == 2 + 1 + 2 * 3);  // plots, the reference, pictures with their error maps
   CHECK(count(html, "data:image/png;base64,iVBORw0KGgo") == 7);
   CHECK(count(html, "data:image/svg+xml;base64,PHN2Zy") == 2);
-  CHECK_FALSE(has(html, "nan"));
+  CHECK_FALSE(has(withoutPictures(html), "nan"));
   CHECK_FALSE(has(html, "All scenes"));
 }
 
@@ -151,7 +159,7 @@ TEST_CASE("a study of one sample can be shown") {
   CHECK(has(html, "Reference, of unknown noise of its own"));
   CHECK(has(html, "One seed says nothing of chance"));
   CHECK(has(html, "mean FLIP –"));
-  CHECK_FALSE(has(html, "nan"));
+  CHECK_FALSE(has(withoutPictures(html), "nan"));
   CHECK(nests(html));
 }
 

@@ -11,11 +11,13 @@
 #include <ImfTiledRgbaFile.h>
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
 #include "render/core/error.h"
 #include "render/film/metrics.h"
+#include "tests/file_size_limit.h"
 #include "tests/outside_tool.h"
 #include "tests/temporary_folder.h"
 
@@ -46,12 +48,32 @@ bool sameBits(const Image& a, const Image& b) {
 }
 
 /// The image as another program would write it: half floats, with the data window's corner at `origin`.
-void writeHalf(const std::filesystem::path& path, const Image& image, Imf::RgbaChannels channels, Imath::V2i origin) {
+void writeHalf(const std::filesystem::path& path, const Image& image, Imf::RgbaChannels channels, Imath::V2i origin,
+               Imath::Box2i display) {
   const Imath::Box2i window(origin, origin + Imath::V2i(image.width - 1, image.height - 1));
   const std::vector<Imf::Rgba> pixels = toRgba(image);
-  Imf::RgbaOutputFile file(path.c_str(), Imath::Box2i({0, 0}, {99, 99}), window, channels);
+  Imf::RgbaOutputFile file(path.c_str(), display, window, channels);
   file.setFrameBuffer(pixels.data() - origin.x - std::ptrdiff_t(origin.y) * image.width, 1, std::size_t(image.width));
   file.writePixels(image.height);
+}
+
+/// The same with both windows where the image is.
+void writeHalf(const std::filesystem::path& path, const Image& image, Imf::RgbaChannels channels) {
+  writeHalf(path, image, channels, {0, 0}, {{0, 0}, {image.width - 1, image.height - 1}});
+}
+
+/// Channels of these names, each pixel 1.
+void writeNamed(const std::filesystem::path& path, const std::vector<std::string>& names) {
+  const std::vector<float> ones(4, 1.0f);
+  Imf::Header header(2, 2);
+  Imf::FrameBuffer frame;
+  for (const std::string& name : names) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    frame.insert(name, Imf::Slice::Make(Imf::FLOAT, ones.data(), header.dataWindow()));
+  }
+  Imf::OutputFile file(path.c_str(), header);
+  file.setFrameBuffer(frame);
+  file.writePixels(2);
 }
 
 void writeTiled(const std::filesystem::path& path, const Image& image) {
@@ -139,22 +161,50 @@ TEST_CASE("OpenEXR's own reader finds row 0 at the top and column 0 at the left"
     }
 }
 
-TEST_CASE("Half floats, tiles and data windows anywhere read the same") {
+TEST_CASE("Half floats and tiles read the same") {
   const Image image = gradient(19, 13);
   TemporaryFolder folder;
-  for (const Imath::V2i& origin : {Imath::V2i(0, 0), Imath::V2i(7, 40), Imath::V2i(-30, -5)}) {
-    writeHalf(folder / "half.exr", image, Imf::WRITE_RGBA, origin);
-    CHECK(sameBits(readExr(folder / "half.exr"), image));
-  }
+  writeHalf(folder / "half.exr", image, Imf::WRITE_RGBA, {0, 0}, {{0, 0}, {18, 12}});
+  CHECK(sameBits(readExr(folder / "half.exr"), image));
   writeTiled(folder / "tiled.exr", image);
   CHECK(sameBits(readExr(folder / "tiled.exr"), image));
+}
+
+TEST_CASE("A data window is placed in its display window, black around it, and cut off outside it") {
+  const Image image = gradient(6, 5);
+  const Imath::Box2i display({-2, 10}, {7, 17});
+  TemporaryFolder folder;
+  for (const Imath::V2i& origin : {Imath::V2i(-2, 10), Imath::V2i(0, 12), Imath::V2i(-5, 8), Imath::V2i(4, 15),
+                                   Imath::V2i(8, 10), Imath::V2i(-100, 500)}) {
+    CAPTURE(origin.x);
+    writeHalf(folder / "a.exr", image, Imf::WRITE_RGBA, origin, display);
+    const Image read = readExr(folder / "a.exr");
+    REQUIRE(read.width == 10);
+    REQUIRE(read.height == 8);
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 10; ++x) {
+        const int dataX = x + display.min.x - origin.x, dataY = y + display.min.y - origin.y;
+        const bool inside = dataX >= 0 && dataX < 6 && dataY >= 0 && dataY < 5;
+        CHECK(read.at(x, y) == (inside ? image.at(dataX, dataY) : Rgb(0.0f)));
+      }
+  }
+}
+
+TEST_CASE("Equal pixels at different places differ, and display windows are sizes") {
+  const Image image = gradient(2, 2);
+  TemporaryFolder folder;
+  writeHalf(folder / "a.exr", image, Imf::WRITE_RGB, {0, 0}, {{0, 0}, {3, 3}});
+  writeHalf(folder / "b.exr", image, Imf::WRITE_RGB, {2, 2}, {{0, 0}, {3, 3}});
+  CHECK(compareImages(readExr(folder / "a.exr"), readExr(folder / "b.exr")).mse > 1);
+  writeHalf(folder / "c.exr", image, Imf::WRITE_RGB, {0, 0}, {{0, 0}, {3, 4}});
+  CHECK_THROWS_AS(compareImages(readExr(folder / "a.exr"), readExr(folder / "c.exr")), Error);
 }
 
 TEST_CASE("Luminance alone reads as grey, and other sets of channels are refused by name") {
   Image image(4, 3);
   for (int x = 0; x < 4; ++x) image.at(x, 2) = Rgb(float(x));
   TemporaryFolder folder;
-  writeHalf(folder / "y.exr", image, Imf::WRITE_Y, {0, 0});
+  writeHalf(folder / "y.exr", image, Imf::WRITE_Y);
   const Image grey = readExr(folder / "y.exr");
   CHECK(grey.at(3, 2).x == doctest::Approx(3.0f).epsilon(1e-3));
   CHECK(grey.at(3, 2).y == grey.at(3, 2).x);
@@ -162,7 +212,7 @@ TEST_CASE("Luminance alone reads as grey, and other sets of channels are refused
   CHECK(grey.at(3, 0).x == 0.0f);
 
   const auto refused = [&](Imf::RgbaChannels channels, const std::string& found) {
-    writeHalf(folder / "odd.exr", image, channels, {0, 0});
+    writeHalf(folder / "odd.exr", image, channels);
     CHECK_THROWS_WITH_AS(readExr(folder / "odd.exr"),
                          ((folder / "odd.exr").string() + ": channels: expected R, G and B, or Y alone, found " +
                           found + "; write the image with these names")
@@ -171,8 +221,53 @@ TEST_CASE("Luminance alone reads as grey, and other sets of channels are refused
   };
   refused(Imf::RgbaChannels(Imf::WRITE_R | Imf::WRITE_G), "G, R");
   refused(Imf::WRITE_A, "A");
-  writeHalf(folder / "chroma.exr", Image(4, 4), Imf::WRITE_YC, {0, 0});
+  writeHalf(folder / "chroma.exr", Image(4, 4), Imf::WRITE_YC);
   CHECK_THROWS_AS(readExr(folder / "chroma.exr"), Error);
+}
+
+TEST_CASE("X, Y and Z and channels of layers are refused by name; what is beside R, G and B is left out") {
+  TemporaryFolder folder;
+  const auto refused = [&](const std::vector<std::string>& names, const std::string& found) {
+    writeNamed(folder / "a.exr", names);
+    CHECK_THROWS_WITH_AS(readExr(folder / "a.exr"),
+                         doctest::Contains(("expected R, G and B, or Y alone, found " + found + "; ").c_str()), Error);
+  };
+  refused({"X", "Y", "Z"}, "X, Y, Z");
+  refused({"beauty.R", "beauty.G", "beauty.B"}, "beauty.B, beauty.G, beauty.R");
+  refused({"Y", "Z"}, "Y, Z");
+  std::vector<std::string> many;
+  for (int i = 10; i < 50; ++i) many.push_back("c" + std::to_string(i));
+  writeNamed(folder / "a.exr", many);
+  CHECK_THROWS_WITH_AS(readExr(folder / "a.exr"), doctest::Contains(" and 16 more; "), Error);
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"Y", "A"}, {"R", "G", "B", "A", "Z", "beauty.R"}}) {
+    writeNamed(folder / "a.exr", names);
+    CHECK(readExr(folder / "a.exr").at(1, 1) == Rgb(1.0f));
+  }
+}
+
+TEST_CASE("A large EXR is written in parts, tells how far it is, and keeps every bit") {
+  TemporaryFolder folder;
+  const Image image = gradient(33, 2000);
+  std::vector<double> shares;
+  writeExr(folder / "a.exr", image, {}, [&](double share) { shares.push_back(share); });
+  CHECK(shares.size() > 1);
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  CHECK(shares.back() == 1);
+  CHECK(sameBits(readExr(folder / "a.exr"), image));
+}
+
+TEST_CASE("An EXR that meets the end of the disk leaves what was there, wherever it fails") {
+  TemporaryFolder folder;
+  putBytes(folder / "old.exr", "precious");
+  writeExr(folder / "whole.exr", gradient(64, 500));
+  const auto whole = std::filesystem::file_size(folder / "whole.exr");
+  for (std::uintmax_t room : {std::uintmax_t(0), std::uintmax_t(100), whole / 2, whole - 1}) {
+    FileSizeLimit limit(room);
+    CHECK_THROWS_AS(writeExr(folder / "old.exr", gradient(64, 500)), Error);
+  }
+  CHECK(fileBytes(folder / "old.exr") == "precious");
+  CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("Colours other than those of Rec. 709 are named, and a file that states none is taken as ours") {
@@ -193,7 +288,7 @@ TEST_CASE("Colours other than those of Rec. 709 are named, and a file that state
         "primaries (0.7347 0.2653) (0 1) (0.0001 -0.077), white (0.32168 0.33767)");
   CHECK(!found({ours.red, ours.green, ours.blue, {std::numeric_limits<float>::quiet_NaN(), 0.329f}}).empty());
 
-  writeHalf(folder / "silent.exr", gradient(2, 2), Imf::WRITE_RGB, {0, 0});
+  writeHalf(folder / "silent.exr", gradient(2, 2), Imf::WRITE_RGB);
   CHECK(foreignColours(folder / "silent.exr").empty());
   writeExr(folder / "own.exr", gradient(2, 2));
   CHECK(foreignColours(folder / "own.exr").empty());

@@ -3,11 +3,9 @@
 #include "render/film/image.h"
 
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdint>
 #include <limits>
 
@@ -21,6 +19,7 @@
 #include "render/film/image_file.h"
 #include "render/film/png.h"
 #include "render/film/tonemap.h"
+#include "tests/file_size_limit.h"
 #include "tests/outside_tool.h"
 #include "tests/temporary_folder.h"
 
@@ -58,24 +57,6 @@ std::uint32_t crc(const std::string& bytes) {
   }
   return ~sum;
 }
-
-/// Writes to files stop with an error after this many bytes, for root too.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limited = {bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limited);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  void (*handler_)(int);
-  rlimit before_ = {};
-};
 
 }  // namespace
 
@@ -269,7 +250,11 @@ TEST_CASE("Paths that cannot be written are refused with the reason, before anyt
   CHECK_THROWS_WITH_AS(checkWritable("/dev/null"), "/dev/null: is not a regular file; name one, or a new file", Error);
   putBytes(folder / "file", "x");
   CHECK_THROWS_AS(checkWritable(folder / "file/out.png"), Error);
-  CHECK_THROWS_AS(writeFile(folder / std::string(300, 'n'), "x"), Error);
+  CHECK_THROWS_AS(checkWritable(folder / std::string(256, 'n')), Error);
+  CHECK_NOTHROW(checkWritable(folder / std::string(255, 'n')));
+  std::filesystem::create_symlink("circle", folder / "circle");
+  CHECK_THROWS_AS(checkWritable(folder / "circle"), Error);
+  std::filesystem::remove(folder / "circle");
   CHECK_NOTHROW(checkWritable(folder / "new"));
   CHECK(folder.entries() == 1);
 }

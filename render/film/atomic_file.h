@@ -1,15 +1,36 @@
 #pragma once
 // Output files that appear whole or not at all.
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 namespace ropelight {
 
-/// Replaces the file `path` by `bytes`: written to a temporary name beside it, flushed to the disk, renamed. On failure
-/// the temporary file is removed and what was at `path` stays as it was. A symbolic link keeps pointing where it did.
-/// Throws Error: badInput for a path that cannot be written (a folder, a device, a folder that is missing or closed to
-/// us), internal where writing fails half-way (a full disk).
+/// A file that is written piece by piece to a temporary name beside its place, and takes its place with commit().
+/// Without that, also where writing failed, it leaves nothing behind, and what was at `path` stays as it was. A
+/// symbolic link keeps pointing where it did. Throws Error: badInput for a path that cannot be written (a folder, a
+/// device, a folder that is missing or closed to us), internal where writing fails half-way (a full disk).
+class OutputFile {
+ public:
+  explicit OutputFile(const std::filesystem::path& path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
+
+  void write(std::string_view bytes);
+  std::uint64_t position() const;
+  void seek(std::uint64_t position);
+  /// Flushes to the disk and renames.
+  void commit();
+
+ private:
+  class Temporary;
+  std::unique_ptr<Temporary> file_;
+};
+
+/// Replaces the file `path` by `bytes`, as OutputFile does.
 void writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 /// Throws what writeFile would throw for a path that cannot be written; for use before hours of rendering.

@@ -8,9 +8,7 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfIntAttribute.h>
-#include <ImfOutputFile.h>
 #include <ImfStandardAttributes.h>
-#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <ImfTestFile.h>
 #include <fmt/format.h>
@@ -18,80 +16,78 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <new>
 #include <string_view>
 
 #include "render/core/error.h"
-#include "render/film/atomic_file.h"
+#include "render/film/exr_names.h"
 
 namespace ropelight {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view prefix = "ropelight.";
 constexpr std::int64_t maxPixels = std::int64_t(1) << 28;
 
-bool isStandardKey(std::string_view key) { return key == "capDate" || key == "comments"; }
-
-std::unique_ptr<Imf::Attribute> makeAttribute(const MetadataValue& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return std::make_unique<Imf::StringAttribute>(*text);
-  if (const auto* number = std::get_if<double>(&value)) return std::make_unique<Imf::DoubleAttribute>(*number);
-  const std::int64_t integer = std::get<std::int64_t>(value);
-  if (integer != std::int64_t(std::int32_t(integer)))
-    return std::make_unique<Imf::StringAttribute>(std::to_string(integer));
-  return std::make_unique<Imf::IntAttribute>(int(integer));
+int channelCount(const Imf::Header& header) {
+  int count = 0;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) ++count;
+  return count;
 }
 
-Imf::Header makeHeader(const Image& image, const Metadata& metadata) {
-  Imf::Header header(image.width, image.height);
-  header.compression() = Imf::ZIP_COMPRESSION;
-  Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709 with D65
-  for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
-  for (const auto& [key, value] : metadata)
-    header.insert(isStandardKey(key) ? key : std::string(prefix) + key, *makeAttribute(value));
-  return header;
-}
-
-/// One channel of the image as OpenEXR addresses it; the data window may lie anywhere.
-Imf::Slice sliceOf(const Image& image, const Imath::Box2i& window, int channel) {
-  const float* first = &image.pixels.front()[channel];
-  return Imf::Slice::Make(Imf::FLOAT, first, window, sizeof(Rgb), sizeof(Rgb) * std::size_t(image.width));
-}
-
+/// The names, those of layers ("beauty.R") with the layer's.
 std::string channelNames(const Imf::Header& header) {
+  constexpr int most = 24;
   std::string names;
-  for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
+  int shown = 0;
+  for (auto c = header.channels().begin(); c != header.channels().end() && shown < most; ++c, ++shown)
     names += (names.empty() ? "" : ", ") + std::string(c.name());
+  if (channelCount(header) > most) names += fmt::format(" and {} more", channelCount(header) - most);
   return names;
 }
 
-/// The file's channels for red, green and blue. Y with chroma beside it is no grey image, and is refused.
+/// The file's channels for red, green and blue. Y beside others (chroma, X and Z) is no grey image, and is refused.
 std::array<const char*, 3> sourceChannels(const fs::path& path, const Imf::Header& header) {
   const auto has = [&](const char* name) { return header.channels().findChannel(name) != nullptr; };
   if (has("R") && has("G") && has("B")) return {"R", "G", "B"};
-  if (has("Y") && !has("RY") && !has("BY")) return {"Y", "Y", "Y"};
+  if (has("Y") && channelCount(header) == (has("A") ? 2 : 1)) return {"Y", "Y", "Y"};
   throw Error(fmt::format("{}: channels: expected R, G and B, or Y alone, found {}; write the image with these names",
                           path.string(), channelNames(header)));
 }
 
-Imath::V2i imageSize(const fs::path& path, const Imath::Box2i& window) {
+Imath::V2i sizeOf(const fs::path& path, const char* what, const Imath::Box2i& window) {
   const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
   const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
   if (width < 1 || height < 1 || width > maxPixels / height)
-    throw Error(fmt::format("{}: dataWindow: {} x {} pixels, expected 1 to {} in all; crop or shrink the image",
-                            path.string(), width, height, maxPixels));
+    throw Error(fmt::format("{}: {}: {} x {} pixels, expected 1 to {} in all; crop or shrink the image", path.string(),
+                            what, width, height, maxPixels));
   return Imath::V2i(int(width), int(height));
 }
 
+/// One channel of the image as OpenEXR addresses it; the window may lie anywhere.
+Imf::Slice sliceOf(Image& image, const Imath::Box2i& window, int channel) {
+  return Imf::Slice::Make(Imf::FLOAT, &image.pixels.front()[channel], window, sizeof(Rgb),
+                          sizeof(Rgb) * std::size_t(image.width));
+}
+
+/// What of the image over `from` lies in the window `to`, black around it.
+Image place(const Image& image, const Imath::Box2i& from, const Imath::Box2i& to, Imath::V2i size) {
+  Image placed(size.x, size.y);
+  const Imath::V2i low(std::max(from.min.x, to.min.x), std::max(from.min.y, to.min.y));
+  const Imath::V2i high(std::min(from.max.x, to.max.x), std::min(from.max.y, to.max.y));
+  if (low.x > high.x) return placed;
+  for (int y = low.y; y <= high.y; ++y)
+    std::copy_n(&image.at(low.x - from.min.x, y - from.min.y), high.x - low.x + 1,
+                &placed.at(low.x - to.min.x, y - to.min.y));
+  return placed;
+}
+
 Image readPixels(const fs::path& path, Imf::InputFile& file) {
-  const Imath::Box2i window = file.header().dataWindow();
-  const Imath::V2i size = imageSize(path, window);
+  const Imath::Box2i data = file.header().dataWindow(), display = file.header().displayWindow();
+  const Imath::V2i size = sizeOf(path, "dataWindow", data), shown = sizeOf(path, "displayWindow", display);
   const auto sources = sourceChannels(path, file.header());
   if (!file.isComplete())
     throw Error(fmt::format("{}: the file ends before its last pixel; write or copy it again", path.string()));
@@ -99,19 +95,19 @@ Image readPixels(const fs::path& path, Imf::InputFile& file) {
   const bool grey = sources[0] == sources[1];
   Imf::FrameBuffer frame;
   for (int channel = 0; channel < (grey ? 1 : 3); ++channel)
-    frame.insert(sources[std::size_t(channel)], sliceOf(image, window, channel));
+    frame.insert(sources[std::size_t(channel)], sliceOf(image, data, channel));
   file.setFrameBuffer(frame);
-  file.readPixels(window.min.y, window.max.y);
+  file.readPixels(data.min.y, data.max.y);
   if (grey)
     for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.x);
-  return image;
+  return data == display ? image : place(image, data, display, shown);
 }
 
 Metadata collectMetadata(const Imf::Header& header) {
   Metadata metadata;
   for (auto a = header.begin(); a != header.end(); ++a) {
     std::string key = a.name();
-    if (key.starts_with(prefix)) key.erase(0, prefix.size());
+    if (key.starts_with(exrPrefix)) key.erase(0, exrPrefix.size());
     if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute()))
       metadata.emplace_back(key, text->value());
     else if (const auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&a.attribute()))
@@ -146,7 +142,7 @@ auto withFile(const fs::path& path, Use use) {
   if (!Imf::isOpenExrFile(path.c_str()))
     throw Error(fmt::format("{}: is not an OpenEXR file; give one", path.string()));
   try {
-    Imf::InputFile file(path.c_str());
+    Imf::InputFile file(path.c_str(), exrThreads());
     return use(file);
   } catch (const Error&) {
     throw;
@@ -158,22 +154,6 @@ auto withFile(const fs::path& path, Use use) {
 }
 
 }  // namespace
-
-void writeExr(const fs::path& path, const Image& image, const Metadata& metadata) {
-  assert(image.pixels.size() == std::size_t(image.width) * std::size_t(image.height));
-  if (image.pixels.empty()) throw Error(fmt::format("{}: the image has no pixels; render at least one", path.string()));
-  Imf::StdOSStream stream;
-  {
-    const Imf::Header header = makeHeader(image, metadata);
-    Imf::FrameBuffer frame;
-    for (int channel = 0; const char* name : {"R", "G", "B"})
-      frame.insert(name, sliceOf(image, header.dataWindow(), channel++));
-    Imf::OutputFile file(stream, header);
-    file.setFrameBuffer(frame);
-    file.writePixels(image.height);
-  }
-  writeFile(path, stream.str());
-}
 
 Image readExr(const fs::path& path) {
   return withFile(path, [&](Imf::InputFile& file) { return readPixels(path, file); });

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/film/image.h"
+#include "render/film/write_progress.h"
 
 namespace ropelight {
 
@@ -18,11 +19,13 @@ using Metadata = std::vector<std::pair<std::string, MetadataValue>>;
 /// Writes channels R, G, B as they are (FLOAT, ZIP), bit for bit. A key of the metadata becomes the attribute
 /// `ropelight.<key>`, or the standard attribute of that name if it is `capDate` ("YYYY:MM:DD hh:mm:ss") or `comments`.
 /// Integers beyond 32 bits are stored as text, since the format has no attribute for them.
-/// Throws Error as writeFile does.
-void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata = {});
+/// On all cores; the same bytes for any number of them. Throws Error as writeFile does.
+void writeExr(const std::filesystem::path& path, const Image& image, const Metadata& metadata = {},
+              const WriteProgress& progress = {});
 
-/// Reads channels R, G, B (or Y alone, as grey), half, float or integer, scan lines or tiles, taken as linear Rec. 709.
-/// The image is the file's data window, wherever it lies. Throws Error (badInput) for a file that is missing, damaged,
+/// Reads channels R, G, B (or Y alone, as grey), half, float or integer, scan lines or tiles, taken as linear Rec. 709;
+/// opacity, and what there is beside R, G and B, is left out. The image is the file's display window, black where its
+/// data window does not reach, without what lies outside. Throws Error (badInput) for a file that is missing, damaged,
 /// of another format, of more than 2^28 pixels, or without these channels; it then lists those there are.
 Image readExr(const std::filesystem::path& path);
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
 
 #include "render/core/error.h"
 #include "render/film/png.h"
+#include "render/film/png_colour.h"
 
 namespace ropelight {
 
@@ -24,10 +24,14 @@ Image readImage(const std::filesystem::path& path) {
   return imageFormatOf(path) == ImageFormat::exr ? readExr(path) : readPng(path);
 }
 
+std::string ignoredColours(const std::filesystem::path& path) {
+  return imageFormatOf(path) == ImageFormat::exr ? foreignColours(path) : readPngColour(path).ignored;
+}
+
 std::uint64_t writeImage(const std::filesystem::path& path, const Image& image, const Tonemap& tonemap,
-                         const Metadata& metadata) {
-  if (imageFormatOf(path) == ImageFormat::png) return writePng(path, image, tonemap);
-  writeExr(path, image, metadata);
+                         const Metadata& metadata, const WriteProgress& progress) {
+  if (imageFormatOf(path) == ImageFormat::png) return writePng(path, image, tonemap, progress);
+  writeExr(path, image, metadata, progress);
   return 0;
 }
 

@@ -7,73 +7,95 @@
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #include <stb/stb_image.h>
-#define STB_IMAGE_WRITE_STATIC
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb/stb_image_write.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <memory>
-#include <new>
 #include <string>
 
 #include "render/core/error.h"
 #include "render/film/atomic_file.h"
+#include "render/film/png_colour.h"
+#include "render/film/png_encode.h"
 
 namespace ropelight {
 namespace {
 
-// The encoder counts bytes in int; up to here, a growing buffer of incompressible rows cannot overflow it.
-constexpr std::size_t maxBytes = std::size_t(1) << 30;
-
-void appendBytes(void* file, void* data, int size) {
-  static_cast<std::string*>(file)->append(static_cast<const char*>(data), std::size_t(size));
-}
-
 void checkSize(const std::string& what, int width, int height) {
-  const std::size_t pixels = std::size_t(width) * std::size_t(height);
-  if (pixels == 0 || pixels > maxBytes / 3)
-    throw Error(fmt::format("{}: an image of {} x {} pixels does not fit into a PNG here; write .exr instead", what,
-                            width, height));
+  if (width < 1 || height < 1) throw Error(fmt::format("{}: the image has no pixels; render at least one", what));
 }
 
-/// The sRGB chunk (PNG 3rd edition, §11.3.2.5; perceptual intent), whose place is behind signature and IHDR.
-void markAsSrgb(std::string& file) {
-  constexpr std::size_t behindHeader = 8 + 25;
-  constexpr char chunk[] = "\0\0\0\1sRGB\0\xAE\xCE\x1C\xE9";  // length, type, intent, CRC
-  file.insert(behindHeader, chunk, sizeof(chunk) - 1);
+/// Tone-maps rows on the threads that encode them, so that no second image is needed.
+class ScreenRows {
+ public:
+  ScreenRows(const Image& image, const Tonemap& tonemap) : image_(image), tonemap_(tonemap) {}
+
+  void operator()(int first, int count, std::uint8_t* out) const {
+    std::size_t const width = std::size_t(image_.width);
+    std::span const pixels(image_.pixels.data() + std::size_t(first) * width, std::size_t(count) * width);
+    toScreen(pixels, tonemap_, out);
+  }
+
+ private:
+  const Image& image_;
+  const Tonemap& tonemap_;
+};
+
+std::uint64_t countNonFinite(const Image& image) {
+  return std::uint64_t(
+      std::count_if(image.pixels.begin(), image.pixels.end(), [](Rgb p) { return !isFinitePixel(p); }));
 }
 
-std::string fileOf(int width, int height, std::span<const std::uint8_t> bytes) {
-  assert(bytes.size() == std::size_t(width) * std::size_t(height) * 3);
-  std::string file;
-  if (!stbi_write_png_to_func(appendBytes, &file, width, height, 3, bytes.data(), width * 3)) throw std::bad_alloc();
-  markAsSrgb(file);
-  return file;
+/// Linear values of all 16-bit samples; eight-bit files arrive scaled by 257.
+std::vector<float> decodingTable(double gamma) {
+  std::vector<float> table(65536);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    double const sample = double(i) / 65535.0;
+    table[i] = float(gamma > 0 ? std::pow(sample, 1 / gamma) : decodeSrgb(sample));
+  }
+  return table;
 }
 
 }  // namespace
 
-std::uint64_t writePng(const std::filesystem::path& path, const Image& image, const Tonemap& tonemap) {
+std::uint64_t writePng(const std::filesystem::path& path, const Image& image, const Tonemap& tonemap,
+                       const WriteProgress& progress) {
   assert(image.pixels.size() == std::size_t(image.width) * std::size_t(image.height));
   checkSize(path.string(), image.width, image.height);
-  const ScreenImage screen = toScreen(image, tonemap);
-  writeScreenPng(path, image.width, image.height, screen.bytes);
-  return screen.nonFinite;
+  checkTonemap(tonemap);
+  OutputFile file(path);
+  encodePngRows(
+      image.width, image.height, ScreenRows(image, tonemap), [&](std::string_view bytes) { file.write(bytes); },
+      progress);
+  file.commit();
+  return countNonFinite(image);
 }
 
 void writeScreenPng(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> bytes) {
   checkSize(path.string(), width, height);
-  writeFile(path, fileOf(width, height, bytes));
+  assert(bytes.size() == std::size_t(width) * std::size_t(height) * 3);
+  std::size_t const row = std::size_t(width) * 3;
+  OutputFile file(path);
+  encodePngRows(
+      width, height,
+      [&](int first, int count, std::uint8_t* out) {
+        std::copy_n(bytes.data() + std::size_t(first) * row, std::size_t(count) * row, out);
+      },
+      [&](std::string_view piece) { file.write(piece); });
+  file.commit();
 }
 
 std::vector<std::uint8_t> encodePng(const Image& image, const Tonemap& tonemap) {
   checkSize("a picture", image.width, image.height);
-  const std::string file = fileOf(image.width, image.height, toScreen(image, tonemap).bytes);
-  return {file.begin(), file.end()};
+  checkTonemap(tonemap);
+  std::vector<std::uint8_t> file;
+  encodePngRows(image.width, image.height, ScreenRows(image, tonemap),
+                [&](std::string_view bytes) { file.insert(file.end(), bytes.begin(), bytes.end()); });
+  return file;
 }
 
 Image readPng(const std::filesystem::path& path) {
-  // Eight-bit files arrive scaled by 257, so that one division serves both depths.
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_us, decltype(&stbi_image_free)> data(
       stbi_load_16(path.c_str(), &width, &height, &channels, 3), stbi_image_free);
@@ -81,9 +103,10 @@ Image readPng(const std::filesystem::path& path) {
     throw Error(
         fmt::format("{}: cannot be read as PNG: {}; give an existing .png file", path.string(), stbi_failure_reason()));
   Image image(width, height);
+  const std::vector<float> linear = decodingTable(readPngColour(path).gamma);
   const stbi_us* value = data.get();
   for (Rgb& pixel : image.pixels)
-    for (int channel = 0; channel < 3; ++channel) pixel[channel] = float(decodeSrgb(*value++ / 65535.0));
+    for (int channel = 0; channel < 3; ++channel) pixel[channel] = linear[*value++];
   return image;
 }
 

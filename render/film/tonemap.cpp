@@ -60,17 +60,25 @@ double decodeSrgb(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-ScreenImage toScreen(const Image& image, const Tonemap& tonemap) {
+void checkTonemap(const Tonemap& tonemap) { exposureFactor(tonemap.exposure); }
+
+std::uint64_t toScreen(std::span<const Rgb> pixels, const Tonemap& tonemap, std::uint8_t* out) {
   const double factor = exposureFactor(tonemap.exposure);
-  ScreenImage screen;
-  screen.bytes.reserve(image.pixels.size() * 3);
-  for (Rgb pixel : image.pixels) {
+  std::uint64_t nonFinite = 0;
+  for (Rgb pixel : pixels) {
     const bool usable = isFinitePixel(pixel);
-    if (!usable) ++screen.nonFinite;
+    if (!usable) ++nonFinite;
     const Vec3d radiance = usable ? glm::max(Vec3d(pixel), Vec3d(0.0)) : Vec3d(0.0);
     const Vec3d shown = applyCurve(tonemap.curve, radiance * factor);
-    for (int channel = 0; channel < 3; ++channel) screen.bytes.push_back(quantise(shown[channel]));
+    for (int channel = 0; channel < 3; ++channel) *out++ = quantise(shown[channel]);
   }
+  return nonFinite;
+}
+
+ScreenImage toScreen(const Image& image, const Tonemap& tonemap) {
+  ScreenImage screen;
+  screen.bytes.resize(image.pixels.size() * 3);
+  screen.nonFinite = toScreen(image.pixels, tonemap, screen.bytes.data());
   return screen;
 }
 

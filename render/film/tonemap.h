@@ -2,6 +2,7 @@
 // From linear radiance to the 8-bit sRGB of a screen: exposure, tone curve, transfer function, rounding.
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,12 @@ struct ScreenImage {
   std::vector<std::uint8_t> bytes;  ///< width·height·3, row 0 at the top
   std::uint64_t nonFinite = 0;      ///< pixels with a NaN or an infinity, shown black
 };
+
+/// Throws Error (usage) for an exposure outside ±100.
+void checkTonemap(const Tonemap& tonemap);
+
+/// Writes 3 bytes a pixel to `out` and returns how many pixels were not finite. Throws as checkTonemap does.
+std::uint64_t toScreen(std::span<const Rgb> pixels, const Tonemap& tonemap, std::uint8_t* out);
 
 /// Rounds to the nearest of 256 levels. Throws Error (usage) for an exposure outside ±100.
 ScreenImage toScreen(const Image& image, const Tonemap& tonemap = {});
