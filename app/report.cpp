@@ -44,6 +44,7 @@ nlohmann::ordered_json toJson(const Stats& s) {
       {"truncatedPaths", s.truncatedPaths},
       {"firstRadius", s.firstRadius},
       {"radius", s.radius},
+      {"advice", s.advice},
       {"accel", s.accel},
       {"treeNodes", s.treeNodes},
       {"treeLeaves", s.treeLeaves},
@@ -77,18 +78,6 @@ Metadata imageMetadata(Settings resolvedSettings, const Scene& scene, const Stat
   data.emplace_back("version", version);
   data.emplace_back("scene", scene.file);
   return data;
-}
-
-std::string formatBytes(std::uint64_t bytes) {
-  if (bytes < 1024) return fmt::format("{} B", bytes);
-  const char* unit = "KiB";
-  double value = double(bytes) / 1024;
-  for (const char* next : {"MiB", "GiB", "TiB"}) {
-    if (value < 1024) break;
-    value /= 1024;
-    unit = next;
-  }
-  return fmt::format("{:.1f} {}", value, unit);
 }
 
 }  // namespace ropelight

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "render/core/bytes.h"
 #include "render/film/exr.h"
 #include "render/integrator/integrator.h"
 #include "render/scene/scene.h"
@@ -22,8 +23,5 @@ double megaPhotons(const Stats& stats);
 
 /// The metadata of an image: every setting, and iterations, seconds, device, version and scene.
 Metadata imageMetadata(Settings resolvedSettings, const Scene& scene, const Stats& stats);
-
-/// "512 B", "1.5 KiB", "20.0 MiB" …
-std::string formatBytes(std::uint64_t bytes);
 
 }  // namespace ropelight

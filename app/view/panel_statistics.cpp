@@ -40,6 +40,7 @@ void drawRates(const Stats& stats) {
 
 // Counts that should be zero stand out where they are not.
 void drawWarnings(const Stats& stats) {
+  for (const std::string& advice : stats.advice) problemText(advice);
   if (stats.nonFinite > 0)
     problemText(fmt::format("{} samples were NaN or infinite and left out", stats.nonFinite));
   else

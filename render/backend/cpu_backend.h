@@ -85,8 +85,8 @@ class Backend {
     if (count > 0) std::memcpy(to.span().data, from, count * sizeof(T));
   }
   template <class T>
-  void download(T* to, const Buffer<T>& from, std::size_t count) const {
-    if (count > 0) std::memcpy(to, from.view().data, count * sizeof(T));
+  void download(T* to, const Buffer<T>& from, std::size_t count, std::size_t first = 0) const {
+    if (count > 0) std::memcpy(to, from.view().data + first, count * sizeof(T));
   }
   template <class T>
   void clear(Buffer<T>& buffer) {

@@ -167,9 +167,9 @@ class Backend {
     synchronize();
   }
   template <class T>
-  void download(T* to, const Buffer<T>& from, std::size_t count) const {
+  void download(T* to, const Buffer<T>& from, std::size_t count, std::size_t first = 0) const {
     if (count == 0) return;
-    RL_CUDA(cudaMemcpyAsync(to, from.view().data, count * sizeof(T), cudaMemcpyDeviceToHost, stream_));
+    RL_CUDA(cudaMemcpyAsync(to, from.view().data + first, count * sizeof(T), cudaMemcpyDeviceToHost, stream_));
     synchronize();
   }
   template <class T>

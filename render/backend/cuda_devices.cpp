@@ -1,6 +1,7 @@
 #include <cuda_runtime.h>
 #include <fmt/format.h>
 
+#include "render/backend/available_memory.h"
 #include "render/backend/devices.h"
 
 namespace ropelight {
@@ -27,6 +28,13 @@ DeviceInfo describe(int index, int driver, int runtime) {
 }
 
 }  // namespace
+
+std::uint64_t freeDeviceMemory(int gpu) {
+  std::size_t free = 0, all = 0;
+  if (cudaSetDevice(gpu) == cudaSuccess && cudaMemGetInfo(&free, &all) == cudaSuccess) return free;
+  cudaGetLastError();
+  return unknownMemory;
+}
 
 std::vector<DeviceInfo> cudaDevices() {
   int driver = 0, runtime = 0, count = 0;

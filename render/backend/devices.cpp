@@ -4,8 +4,10 @@
 #include <oneapi/tbb/info.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
+#include "render/backend/available_memory.h"
 #include "render/core/error.h"
 
 namespace ropelight {
@@ -23,18 +25,26 @@ std::string processorName() {
 
 DeviceInfo cpuDevice(int threads) {
   static const std::string name = processorName();
+  static const std::uint64_t groupLimit = groupMemoryLimit();
   DeviceInfo d;
   d.backend = "cpu";
   int const used = threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
   d.name = fmt::format("{}, {} thread{}", name, used, used == 1 ? "" : "s");
-  d.memory = std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGESIZE));
+  d.memory = std::min(std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGESIZE)), groupLimit);
   d.usable = true;
   return d;
 }
 
 #if !ROPELIGHT_CUDA
 std::vector<DeviceInfo> cudaDevices() { return {}; }
+std::uint64_t freeDeviceMemory(int) { return unknownMemory; }
 #endif
+
+DeviceInfo deviceOf(int gpu) {
+  for (const DeviceInfo& d : cudaDevices())
+    if (d.index == gpu) return d;
+  return {};
+}
 
 std::vector<DeviceInfo> listDevices() {
   std::vector<DeviceInfo> all{cpuDevice(0)};

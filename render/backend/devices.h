@@ -11,6 +11,10 @@ namespace ropelight {
 DeviceInfo cpuDevice(int threads);
 /// Empty where the program was built without CUDA; one unusable entry where the driver is missing or too old.
 std::vector<DeviceInfo> cudaDevices();
+/// The GPU of that index; a DeviceInfo without memory where there is none.
+DeviceInfo deviceOf(int gpu);
+/// Bytes that the GPU has free; unknownMemory where it does not say.
+std::uint64_t freeDeviceMemory(int gpu);
 
 struct ChosenBackend {
   bool cuda = false;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "render/integrator/advice.h"
 #include "render/integrator/prepare.h"
 #include "render/integrator/stages/commit.h"
 #include "render/integrator/stages/frame.h"
@@ -84,13 +85,16 @@ class IntegratorBase : public Integrator {
 
   Image film() const override {
     backend_.activate();
-    std::vector<glm::dvec3> sums(frame_.slots());
-    backend_.download(sums.data(), sum_, sums.size());
     Image image(frame_.width, frame_.height);
     double const scale = state_.committed > 0 ? 1.0 / double(state_.committed) : 0.0;
-    for (std::uint32_t slot = 0; slot < sums.size(); ++slot) {
-      int x, y;
-      if (frame_.pixelOf(slot, x, y)) image.at(x, y) = Rgb(sums[slot] * scale);
+    std::vector<glm::dvec3> sums(std::min(frame_.slots(), filmBlock));  // a part at a time: a film may be large
+    for (std::uint32_t first = 0; first < frame_.slots(); first += std::uint32_t(sums.size())) {
+      std::uint32_t const count = std::min(frame_.slots() - first, std::uint32_t(sums.size()));
+      backend_.download(sums.data(), sum_, count, first);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        int x, y;
+        if (frame_.pixelOf(first + i, x, y)) image.at(x, y) = Rgb(sums[i] * scale);
+      }
     }
     return image;
   }
@@ -112,6 +116,7 @@ class IntegratorBase : public Integrator {
     s.features = prepared_.features;
     s.device = backend_.device().name;
     s.settings = prepared_.settings;
+    s.advice = advice_;
     if (const Bvh<2>* bvh = prepared_.bvh.get()) {
       s.treeNodes = bvh->nodes.size();
       s.treeLeaves = bvh->stats.leaves;
@@ -162,6 +167,7 @@ class IntegratorBase : public Integrator {
   /// What the camera and the settings decide.
   void configure() {
     const Settings& s = prepared_.settings;
+    advice_ = adviceOn(prepared_);
     frame_.camera = makeCamera(prepared_.camera, s.width, s.height);
     frame_.width = s.width;
     frame_.height = s.height;
@@ -183,6 +189,8 @@ class IntegratorBase : public Integrator {
     ++regrown_;
   }
 
+  static constexpr std::uint32_t filmBlock = 1u << 20;  ///< slots that are copied at once
+
   Prepared prepared_;
   mutable Backend backend_;
   DeviceScene<Backend> scene_;
@@ -194,6 +202,7 @@ class IntegratorBase : public Integrator {
   Buffer<DisplayPixel> display_;
   double seconds_ = 0;
   std::uint64_t regrown_ = 0;
+  std::vector<std::string> advice_;
 };
 
 }  // namespace ropelight::RL_TARGET

@@ -148,11 +148,14 @@ class Pilot {
 
 }  // namespace
 
+double pixelFootprint(const Prepared& p, double distance) {
+  return 2 * distance * std::tan(glm::radians(p.camera.verticalFov) / 2) / p.settings.height;
+}
+
 double automaticRadius(const Prepared& p) {
   const FlatScene& flat = *p.flat;
   Vec3d const center = 0.5 * (flat.bounds.min + flat.bounds.max);
-  double const distance = glm::length(center - p.camera.position);
-  double const footprint = 2 * distance * std::tan(glm::radians(p.camera.verticalFov) / 2) / p.settings.height;
+  double const footprint = pixelFootprint(p, glm::length(center - p.camera.position));
   double const size = glm::length(flat.bounds.extent());
   double const radius = std::max(Pilot(p).radius(), 0.5 * footprint);
   return std::clamp(radius, 1e-6 * size, 0.25 * size);

@@ -11,4 +11,7 @@ namespace ropelight {
 /// Scene units; > 0. The same for every backend and number of threads.
 double automaticRadius(const Prepared& prepared);
 
+/// What a pixel covers at that distance along the view; scene units.
+double pixelFootprint(const Prepared& prepared, double distance);
+
 }  // namespace ropelight

@@ -49,7 +49,7 @@ std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& s
   BackendChoice resolvedChoice = choice;
   resolvedChoice.gpu = chosen.gpu;
   if (!cache) cache = makeSceneCache(scene);
-  Prepared const prepared = prepare(scene, settings, resolvedChoice, *cache);
+  Prepared const prepared = prepare(scene, settings, resolvedChoice, chosen.cuda, *cache);
   const MakerRow& maker = makerFor(integratorName(prepared.settings), rowFor(prepared.features).name);
   return (chosen.cuda ? maker.cuda : maker.cpu)(prepared);
 }

@@ -28,6 +28,7 @@ struct Stats {
   double firstRadius = 0;            ///< scene units; 0 without photons
   double radius = 0;                 ///< of the latest iteration
   Settings settings;                 ///< resolved: no automatic value is left
+  std::vector<std::string> advice;   ///< settings that make no sense for the scene, a sentence each
   std::string accel;                 ///< tree or brute
   std::uint64_t treeNodes = 0;       ///< of the kd-tree; 0 without one
   std::uint64_t treeLeaves = 0;

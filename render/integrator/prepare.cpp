@@ -9,6 +9,7 @@
 #include "accel/choice.h"
 #include "render/core/error.h"
 #include "render/integrator/first_radius.h"
+#include "render/integrator/memory_need.h"
 #include "render/integrator/variants.h"
 
 namespace ropelight {
@@ -113,13 +114,16 @@ FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Se
   return bits;
 }
 
-Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend, SceneCache& cache) {
+Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend, bool onGpu,
+                 SceneCache& cache) {
   Prepared p;
   p.flat = cache.flat(scene.camera);
   p.camera = p.flat->inFrame(scene.camera);
   p.film = scene.film;
   p.backend = backend;
+  p.onGpu = onGpu;
   resolveAll(p, settings);
+  requireMemory(p);
   buildStructures(p, cache);
   resolveRadius(p);
   return p;
@@ -130,6 +134,7 @@ std::optional<Prepared> prepareAgain(const Prepared& before, const CameraDesc& c
   p.camera = before.flat->inFrame(camera);
   resolveAll(p, settings);
   if (!sameIntegrator(p, before) || reachOf(p.flat->bounds, p.camera.position) > p.flat->reach) return {};
+  requireMemory(p, &before);
   resolveRadius(p);
   return p;
 }

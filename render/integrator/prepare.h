@@ -18,7 +18,8 @@ struct Prepared {
   std::shared_ptr<const Bvh<2>> bvh;                     ///< null without feature::bvh
   std::shared_ptr<const std::vector<KdTree>> meshTrees;  ///< one a mesh that is kept once; null without feature::tree
   std::shared_ptr<const std::vector<Bvh<2>>> meshBvhs;   ///< likewise without feature::bvh
-  BackendChoice backend;
+  BackendChoice backend;                                 ///< its gpu is the one taken
+  bool onGpu = false;
 };
 
 /// The integrator that makes what the settings ask for: the mode, or aov for what the first hit alone shows.
@@ -27,10 +28,13 @@ std::string integratorName(const Settings& settings);
 /// The whole table of features: the scene's, and those that the settings add or make unnecessary.
 FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Settings& settings);
 
-/// Throws Error (usage) where settings contradict each other or name something unknown.
-Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend, SceneCache& cache);
+/// onGpu: whether backend.gpu is to be used. Throws Error: usage where settings contradict each other or name something
+/// unknown, outOfMemory where they need more memory than there is.
+Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend, bool onGpu,
+                 SceneCache& cache);
 
-/// The same scene and tree with another camera and other settings; empty where those need another integrator.
+/// The same scene and tree with another camera and other settings; empty where those need another integrator. Throws
+/// as prepare does.
 std::optional<Prepared> prepareAgain(const Prepared& before, const CameraDesc& camera, const Settings& settings);
 
 /// Gather radius of iteration i = 1, 2, …: r_i² = r_1² Γ(i+α) / (Γ(1+α) Γ(i+1)), the closed form of

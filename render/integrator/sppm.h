@@ -49,7 +49,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     if (!hasPhotons()) return map_.release();
     if (s.photons == plannedPhotons_ && s.photonMemory == plannedMemory_ && s.gather == plannedGather_) return;
     budget_ = s.photonMemory > 0 ? s.photonMemory << 20 : this->backend_.device().memory / 4;
-    makeRoom(perPath_ > 0 ? perPath_ : 2.5, perPath_ > 0 ? tailPerPath_ : 0.1);
+    makeRoom(perPath_ > 0 ? perPath_ : expectedPerPath, perPath_ > 0 ? tailPerPath_ : expectedTail);
   }
 
   void iterate(std::uint64_t i) override {
@@ -69,10 +69,8 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   bool hasPhotons() const { return (this->prepared_.features & feature::photons) != 0; }
 
   double radiusOf(std::uint64_t iteration) const {
-    const FlatScene& flat = *this->prepared_.flat;
-    // Positions carry errors of some 8 units in the last place of the scene's extent; a disc must be thicker than that.
-    double const spacing = flat.reach * 96 * double(machineEpsilon);
-    return gatherRadius(this->prepared_.settings.radius, this->prepared_.settings.alpha, iteration, spacing);
+    return gatherRadius(this->prepared_.settings.radius, this->prepared_.settings.alpha, iteration,
+                        smallestDisc(*this->prepared_.flat, double(machineEpsilon)));
   }
 
   /// Room for what was seen, in more and smaller chunks as long as memory does not suffice.
