@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "app/interrupt.h"
-
 namespace ropelight {
 namespace {
 
@@ -23,9 +21,8 @@ std::uint64_t nextBatch(std::uint64_t latest, double latestSeconds, double secon
 
 }  // namespace
 
-Accumulated accumulate(Integrator& integrator, const Goal& goal, bool quiet) {
+Accumulated accumulate(Integrator& integrator, const Goal& goal, const StopOnSignal& stop, bool quiet) {
   using Clock = std::chrono::steady_clock;
-  StopOnSignal const stop;
   Progress progress(goal, quiet);
   Clock::time_point const start = Clock::now();
   auto const elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };

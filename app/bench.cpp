@@ -3,14 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <system_error>
 
 #include "app/output.h"
+#include "app/scene_path.h"
+#include "app/standard_streams.h"
 #include "render/core/error.h"
 #include "render/core/version.h"
 #include "render/film/atomic_file.h"
+#include "render/scene/load.h"
 #include "render/scene/suggest.h"
 
 namespace ropelight {
@@ -39,22 +40,33 @@ std::string fileOf(const std::string& folder, const std::string& name, const cha
   return (std::filesystem::path(folder) / (name + extension)).string();
 }
 
-/// Before minutes of measuring; makes the folder.
-void checkOutputs(const BenchOptions& options, const std::vector<const Bench*>& chosen) {
-  if (!options.json.empty() && options.json != "-") requireWritable(options.json);
-  if (!options.csv.empty()) requireWritable(options.csv);
-  if (options.out.empty()) return;
-  std::error_code failure;
-  std::filesystem::create_directories(options.out, failure);
-  if (failure)
-    throw Error(fmt::format("{}: cannot make the folder: {}; name another one", options.out, failure.message()));
-  for (const Bench* bench : chosen) requireWritable(fileOf(options.out, bench->name, ".csv"));
+std::vector<std::string> inputsOf(const BenchOptions& options) {
+  std::vector<std::string> inputs{options.mesh};
+  if (options.scene.scene.empty()) return inputs;
+  for (const std::string& file : filesOf(loadScene(findScene(options.scene.scene)))) inputs.push_back(file);
+  return inputs;
 }
 
-void writeFiles(const std::string& folder, const BenchResult& result) {
+/// Before minutes of measuring; makes the folder.
+void checkOutputs(const BenchOptions& options, const std::vector<const Bench*>& chosen,
+                  const std::vector<std::string>& inputs) {
+  std::vector<std::string> outputs{options.json, options.csv};
+  if (!options.out.empty()) {
+    makeFolder(options.out);
+    for (const Bench* bench : chosen)
+      for (const char* extension : {".csv", ".svg"}) outputs.push_back(fileOf(options.out, bench->name, extension));
+  }
+  requireOutputs(outputs, inputs);
+}
+
+/// inputs: a plot's name is known only now.
+void writeFiles(const std::string& folder, const BenchResult& result, const std::vector<std::string>& inputs) {
   writeFile(fileOf(folder, result.bench, ".csv"), toCsv({result}));
-  for (const BenchPlot& plot : result.plots)
-    writeFile(fileOf(folder, result.bench + (plot.suffix.empty() ? "" : "-" + plot.suffix), ".svg"), toSvg(plot.plot));
+  for (const BenchPlot& plot : result.plots) {
+    std::string const file = fileOf(folder, result.bench + (plot.suffix.empty() ? "" : "-" + plot.suffix), ".svg");
+    requireNoInput(file, inputs);
+    writeFile(file, toSvg(plot.plot));
+  }
 }
 
 }  // namespace
@@ -70,7 +82,8 @@ int runBench(const BenchOptions& options) {
   for (const std::string& name : options.names) chosen.push_back(&findBench(name));
   for (const Bench& bench : benches)
     if (options.names.empty() && !bench.needsWindow) chosen.push_back(&bench);
-  checkOutputs(options, chosen);
+  std::vector<std::string> const inputs = inputsOf(options);
+  checkOutputs(options, chosen, inputs);
 
   std::vector<BenchResult> results;
   bool failed = false;
@@ -78,11 +91,15 @@ int runBench(const BenchOptions& options) {
     results.push_back(bench->run(options));
     failed = failed || results.back().failed();
     if (options.json != "-") fmt::print("{}", toText(results.back()));
-    std::fflush(stdout);
-    if (!options.out.empty()) writeFiles(options.out, results.back());
+    flushStandardOutput();
+    if (!options.out.empty()) writeAll({[&] { writeFiles(options.out, results.back(), inputs); }});
   }
-  if (!options.json.empty()) writeJson(options.json, {{"version", version}, {"rows", toJson(results)}});
-  if (!options.csv.empty()) writeFile(options.csv, toCsv(results));
+  writeAll({[&] {
+              if (!options.json.empty()) writeJson(options.json, {{"version", version}, {"rows", toJson(results)}});
+            },
+            [&] {
+              if (!options.csv.empty()) writeFile(options.csv, toCsv(results));
+            }});
   return int(failed ? ExitCode::checkFailed : ExitCode::done);
 }
 

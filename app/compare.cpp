@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "app/output.h"
+#include "app/standard_streams.h"
 #include "render/core/error.h"
 #include "render/film/flip.h"
 #include "render/film/image_file.h"
@@ -51,12 +53,17 @@ void checkOptions(const CompareOptions& options) {
     throw Error("--threshold nan: expected a number; give one", ExitCode::usage);
   if (options.epsilon && !(std::isfinite(*options.epsilon) && *options.epsilon >= 0))
     throw Error(fmt::format("--epsilon {}: expected a number from 0; give one", *options.epsilon), ExitCode::usage);
-  for (const std::string& image : {options.errorImage, options.flipImage}) {
-    if (image.empty()) continue;
-    imageFormatOf(image);
-    requireWritable(image);
-  }
-  if (!options.json.empty() && options.json != "-") requireWritable(options.json);
+  for (const std::string& image : {options.errorImage, options.flipImage})
+    if (!image.empty()) imageFormatOf(image);
+  requireOutputs({options.errorImage, options.flipImage, options.json}, {options.image, options.reference});
+}
+
+/// An image, with a note of what its file says and the figures do not heed.
+Image readNoted(const std::string& file) {
+  Image image = readImage(file);
+  if (const std::string ignored = ignoredColours(file); !ignored.empty())
+    printError("note: {}: not heeded: {}; the values are taken as linear Rec. 709's", file, ignored);
+  return image;
 }
 
 /// Written so that NaN misses every threshold; so do pixels that the figures had to leave out.
@@ -68,22 +75,22 @@ bool meetsThreshold(const CompareOptions& options, const Comparison& comparison)
 }
 
 void printRow(std::FILE* out, const char* label, const std::string& value) {
-  fmt::print(out, "  {:<27}{}\n", label, value);
+  printTo(out, "  {:<27}{}\n", label, value);
 }
 
 std::string formatRgb(const std::array<double, 3>& c) { return fmt::format("{:.6g} {:.6g} {:.6g}", c[0], c[1], c[2]); }
 
 void printTable(std::FILE* out, const CompareOptions& options, const Comparison& comparison, const Image& image) {
   const Metrics& metrics = comparison.metrics;
-  fmt::print(out, "{} against {}, {} x {} pixels\n", options.image, options.reference, image.width, image.height);
+  printTo(out, "{} against {}, {} x {} pixels\n", options.image, options.reference, image.width, image.height);
   for (const Figure& figure : figures) printRow(out, figure.label, fmt::format("{:.6g}", figure.value(comparison)));
   printRow(out, "mean of the image", formatRgb(metrics.mean));
   printRow(out, "mean of the reference", formatRgb(metrics.meanReference));
   printRow(out, "epsilon of relMSE", fmt::format("{:.6g}", metrics.epsilon));
   printRow(out, "pixels not finite", fmt::format("{}, reference {}", metrics.nonFinite, metrics.nonFiniteReference));
   if (options.threshold)
-    fmt::print(out, "{}: {} {} {:.6g}\n", meetsThreshold(options, comparison) ? "passed" : "FAILED", options.metric,
-               options.metric == "psnr" ? "at least" : "at most", *options.threshold);
+    printTo(out, "{}: {} {} {:.6g}\n", meetsThreshold(options, comparison) ? "passed" : "FAILED", options.metric,
+            options.metric == "psnr" ? "at least" : "at most", *options.threshold);
 }
 
 /// Values that are not finite become null.
@@ -116,14 +123,17 @@ std::vector<std::string> compareMetricNames() {
 
 int runCompare(const CompareOptions& options) {
   checkOptions(options);
-  const Image image = readImage(options.image), reference = readImage(options.reference);
+  const Image image = readNoted(options.image), reference = readNoted(options.reference);
   const MetricsOptions metricsOptions = {.epsilon = options.epsilon};
   const Comparison comparison = {compareImages(image, reference, metricsOptions), flip(image, reference)};
   printTable(options.json == "-" ? stderr : stdout, options, comparison, image);
 
-  if (!options.errorImage.empty()) writeImage(options.errorImage, errorImage(image, reference, metricsOptions));
-  if (!options.flipImage.empty()) writeImage(options.flipImage, comparison.flip.map);
-  if (!options.json.empty()) writeJson(options.json, toJson(options, comparison, image));
+  std::vector<std::function<void()>> writers;
+  if (!options.errorImage.empty())
+    writers.push_back([&] { writeImage(options.errorImage, errorImage(image, reference, metricsOptions)); });
+  if (!options.flipImage.empty()) writers.push_back([&] { writeImage(options.flipImage, comparison.flip.map); });
+  if (!options.json.empty()) writers.push_back([&] { writeJson(options.json, toJson(options, comparison, image)); });
+  writeAll(writers);
   return int(meetsThreshold(options, comparison) ? ExitCode::done : ExitCode::checkFailed);
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <set>
 
 #include "app/converge/json.h"
@@ -13,6 +15,7 @@
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/scene_path.h"
+#include "app/standard_streams.h"
 #include "render/core/error.h"
 #include "render/core/version.h"
 #include "render/film/atomic_file.h"
@@ -54,15 +57,46 @@ void requireOwnNames(const std::vector<std::string>& scenes, const ConvergeOptio
                   ExitCode::usage);
 }
 
-/// Everything that can be known to fail before any time is spent.
-void checkFiles(const std::vector<std::string>& scenes, const ConvergeOptions& options) {
-  requireOwnNames(scenes, options);
-  for (const std::string& file : scenes) {
-    Scene scene;
-    scene.file = file;
-    if (!options.reference.empty()) readExrMetadata(forScene(options.reference, scene));
-    if (!options.saveReference.empty()) requireWritable(forScene(options.saveReference, scene));
+struct LoadedScene {
+  Scene scene;
+  double seconds = 0;
+};
+
+/// All of them at once, so that a broken one costs no time spent on those before.
+std::vector<LoadedScene> loadScenes(const std::vector<std::string>& files) {
+  std::vector<LoadedScene> loaded;
+  for (const std::string& file : files) {
+    auto const start = Clock::now();
+    Scene scene = loadScene(file);
+    loaded.push_back({std::move(scene), since(start)});
   }
+  return loaded;
+}
+
+std::string plotFile(const ConvergeOptions& options, const std::string& scene, CurveAxis axis) {
+  const char* const name = axis == CurveAxis::seconds ? "seconds" : "iterations";
+  return (std::filesystem::path(options.out) / fmt::format("{}-{}.svg", stemOf(scene), name)).string();
+}
+
+std::string reportFile(const ConvergeOptions& options, const char* name) {
+  return (std::filesystem::path(options.out) / name).string();
+}
+
+/// Everything that can be known to fail before any time is spent.
+void checkFiles(const std::vector<LoadedScene>& scenes, const ConvergeOptions& options) {
+  std::vector<std::string> inputs,
+      outputs{reportFile(options, "report.html"), reportFile(options, "samples.csv"), options.json};
+  for (const LoadedScene& loaded : scenes) {
+    const Scene& scene = loaded.scene;
+    for (const std::string& file : filesOf(scene)) inputs.push_back(file);
+    for (CurveAxis axis : {CurveAxis::seconds, CurveAxis::iterations})
+      outputs.push_back(plotFile(options, scene.file, axis));
+    if (!options.reference.empty()) inputs.push_back(forScene(options.reference, scene));
+    if (!options.reference.empty()) readExrMetadata(inputs.back());
+    if (!options.saveReference.empty()) outputs.push_back(forScene(options.saveReference, scene));
+  }
+  makeFolder(options.out);
+  requireOutputs(outputs, inputs);
 }
 
 ConvergeOptions completed(ConvergeOptions options) {
@@ -118,42 +152,34 @@ std::string timeText(const TimeTo& time, std::size_t runs) {
 }
 
 void print(std::FILE* out, const Study& study, const StudyScene& scene) {
-  fmt::print(out, "\n{}: against {}\n", scene.name, scene.reference.origin);
-  fmt::print(out, "  {:<28}{:>12}{:>12}{:>14}{:>14}{:>14}{:>9}\n", "mode", "error", "iterations", "to 0.1", "to 0.01",
-             "to 0.001", "slope");
+  printTo(out, "\n{}: against {}\n", scene.name, scene.reference.origin);
+  printTo(out, "  {:<28}{:>12}{:>12}{:>14}{:>14}{:>14}{:>9}\n", "mode", "error", "iterations", "to 0.1", "to 0.01",
+          "to 0.001", "slope");
   for (const StudyMode& mode : scene.modes) {
     if (mode.runs.empty() || mode.runs[0].samples.empty()) continue;
     auto const band = bandOf(mode, CurveAxis::seconds, study.trimmed);
-    fmt::print(out, "  {:<28}{:>12.4g}{:>12}", mode.label,
-               band.empty() ? errorOf(mode.runs[0].samples.back().metrics, study.trimmed) : band.back().median,
-               mode.runs[0].samples.back().iterations);
+    printTo(out, "  {:<28}{:>12.4g}{:>12}", mode.label,
+            band.empty() ? errorOf(mode.runs[0].samples.back().metrics, study.trimmed) : band.back().median,
+            mode.runs[0].samples.back().iterations);
     for (double const error : reportedErrors)
-      fmt::print(out, "{:>14}", timeText(timeTo(mode, error, study.trimmed), std::size_t(seedsOf(mode))));
-    fmt::print(out, "{:>9.2f}\n", slopeOf(mode, CurveAxis::seconds, study.trimmed).median);
-    if (!mode.referenceWarning.empty()) fmt::print(out, "    note: {}\n", mode.referenceWarning);
+      printTo(out, "{:>14}", timeText(timeTo(mode, error, study.trimmed), std::size_t(seedsOf(mode))));
+    printTo(out, "{:>9.2f}\n", slopeOf(mode, CurveAxis::seconds, study.trimmed).median);
+    if (!mode.referenceWarning.empty()) printTo(out, "    note: {}\n", mode.referenceWarning);
   }
-  fmt::print(out, "  {}\n", verdictOf(scene, study.trimmed));
+  printTo(out, "  {}\n", verdictOf(scene, study.trimmed));
 }
 
 /// After every scene, so that a long study leaves what it has.
 void writeReport(const ConvergeOptions& options, const Study& study) {
-  std::filesystem::path const folder = options.out;
+  std::vector<std::function<void()>> writers;
   for (const StudyScene& scene : study.scenes)
     for (CurveAxis const axis : {CurveAxis::seconds, CurveAxis::iterations})
-      writeFile(
-          folder / fmt::format("{}-{}.svg", stemOf(scene.file), axis == CurveAxis::seconds ? "seconds" : "iterations"),
-          toSvg(errorPlot(study, scene, axis)));
-  writeFile(folder / "samples.csv", toCsv(study));
-  writeFile(folder / "report.html", toHtml(study));
-  if (!options.json.empty() && options.json != "-") writeJson(options.json, toJson(study));
-}
-
-void prepareFolder(const ConvergeOptions& options) {
-  std::error_code failed;
-  std::filesystem::create_directories(options.out, failed);
-  if (failed) throw Error(fmt::format("{}: {}; name a folder that can be made", options.out, failed.message()));
-  requireWritable((std::filesystem::path(options.out) / "report.html").string());
-  if (!options.json.empty() && options.json != "-") requireWritable(options.json);
+      writers.push_back(
+          [&, axis] { writeFile(plotFile(options, scene.file, axis), toSvg(errorPlot(study, scene, axis))); });
+  writers.push_back([&] { writeFile(reportFile(options, "samples.csv"), toCsv(study)); });
+  writers.push_back([&] { writeFile(reportFile(options, "report.html"), toHtml(study)); });
+  if (!options.json.empty() && options.json != "-") writers.push_back([&] { writeJson(options.json, toJson(study)); });
+  writeAll(writers);
 }
 
 }  // namespace
@@ -161,32 +187,31 @@ void prepareFolder(const ConvergeOptions& options) {
 int runConverge(const ConvergeOptions& given) {
   ConvergeOptions const options = completed(given);
   RunnerOptions runner = runnerOptions(options);
-  std::vector<std::string> const scenes = scenesOf(options);
+  std::vector<std::string> const files = scenesOf(options);
+  requireOwnNames(files, options);
+  std::vector<LoadedScene> const scenes = loadScenes(files);
   checkFiles(scenes, options);
-  prepareFolder(options);
   std::FILE* const out = options.json == "-" ? stderr : stdout;
   Study study = emptyStudy(options);
   StopOnSignal const stop;
   runner.stop = [&] { return stop.requested(); };
-  for (const std::string& name : scenes) {
-    auto const start = Clock::now();
-    Scene const scene = loadScene(name);
-    double const loadSeconds = since(start);
-    if (!options.quiet) fmt::print(stderr, "{}\n", scene.name);
+  for (const LoadedScene& loaded : scenes) {
+    const Scene& scene = loaded.scene;
+    if (!options.quiet) printError(scene.name);
     double const runs = double(runner.modes.size()) * options.seeds;
     Progress progress({std::uint64_t(double(options.iterations) * runs), options.time * runs}, options.quiet);
     runner.progress = [&](std::uint64_t iterations, double seconds) { progress.update(iterations, seconds); };
     study.scenes.push_back(runModes(scene, options.scene.settings, runner));
-    study.scenes.back().loadSeconds += loadSeconds;
+    study.scenes.back().loadSeconds += loaded.seconds;
     study.device = study.scenes.back().device;
     study.complete = !stop.requested();
     print(out, study, study.scenes.back());
     writeReport(options, study);
     if (stop.requested()) break;
   }
-  if (!study.complete) fmt::print(stderr, "stopped early\n");
+  if (!study.complete && !options.quiet) printError("stopped early");
   if (options.json == "-") writeJson("-", toJson(study));
-  if (!options.quiet) fmt::print(out, "\nwrote {}\n", (std::filesystem::path(options.out) / "report.html").string());
+  if (!options.quiet) printTo(out, "\nwrote {}\n", reportFile(options, "report.html"));
   return int(ExitCode::done);
 }
 

@@ -39,6 +39,7 @@ nlohmann::ordered_json toJson(const std::vector<DeviceInfo>& devices) {
 }  // namespace
 
 int runDevices(const DevicesOptions& options) {
+  requireOutputs({options.json}, {});
   std::vector<DeviceInfo> const devices = listDevices();
   if (options.json != "-") printTable(devices);
   if (!options.json.empty()) writeJson(options.json, toJson(devices));

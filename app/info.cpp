@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "app/report.h"
 #include "app/scene_path.h"
+#include "app/standard_streams.h"
 #include "render/core/error.h"
 #include "render/core/features.h"
 #include "render/core/version.h"
@@ -94,12 +95,15 @@ void printText(const Scene& scene, const Settings& settings, const Stats& stats)
 }  // namespace
 
 int runInfo(const InfoOptions& options) {
-  if (!options.json.empty() && options.json != "-") requireWritable(options.json);
-  Scene const scene = loadScene(findScene(options.scene.scene));
+  std::string const sceneFile = findScene(options.scene.scene);
+  requireOutputs({options.json}, {sceneFile});
+  Scene const scene = loadScene(sceneFile);
+  requireOutputs({options.json}, filesOf(scene));
   std::string why;
   auto const integrator = makeIntegrator(scene, options.scene.settings, options.scene.backend, &why);
-  if (!why.empty()) fmt::print(stderr, "{}\n", why);
+  if (!why.empty()) printError(why);
   Stats const stats = integrator->stats();
+  for (const std::string& advice : stats.advice) printError("warning: {}", advice);
   const Settings& settings = stats.settings;
   if (options.json != "-") printText(scene, settings, stats);
   if (!options.json.empty())

@@ -2,7 +2,8 @@
 
 namespace ropelight {
 
-/// While it lives, the first Ctrl-C (or SIGTERM) only asks to stop; the next one ends the program at once.
+/// While it lives, the first Ctrl-C, SIGTERM or SIGHUP only asks to stop; a Ctrl-C or SIGTERM after it ends the program
+/// at once. Signals that are ignored stay so.
 class StopOnSignal {
  public:
   StopOnSignal();

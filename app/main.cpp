@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 #include <variant>
 
 #include "app/options.h"
+#include "app/standard_streams.h"
 #include "render/core/error.h"
 
 namespace ropelight {
@@ -27,8 +28,26 @@ int run(const StressOptions& options) { return runStress(options); }
 int run(const ConvergeOptions& options) { return runConverge(options); }
 
 int fail(const char* message, ExitCode code) {
-  std::fprintf(stderr, "ropelight: %s\n", message);
+  printError("ropelight: {}", message);
   return int(code);
+}
+
+int runGuarded(int argc, char** argv) {
+  try {
+    return std::visit([](const auto& options) { return run(options); }, parseCommandLine(argc, argv));
+  } catch (const Error& error) {
+    return fail(error.what(), error.code());
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory; lower --width, --height or --photons", ExitCode::outOfMemory);
+  } catch (const std::system_error& error) {
+    if (!standardOutputFailed()) return fail(error.what(), ExitCode::internal);
+    rememberOutputError(error.code().value());
+    return int(ExitCode::internal);
+  } catch (const std::exception& error) {
+    return fail(error.what(), ExitCode::internal);
+  } catch (...) {
+    return fail("an unknown failure", ExitCode::internal);
+  }
 }
 
 }  // namespace
@@ -36,15 +55,6 @@ int fail(const char* message, ExitCode code) {
 
 int main(int argc, char** argv) {
   using namespace ropelight;
-  try {
-    return std::visit([](const auto& options) { return run(options); }, parseCommandLine(argc, argv));
-  } catch (const Error& error) {
-    return fail(error.what(), error.code());
-  } catch (const std::bad_alloc&) {
-    return fail("out of memory; lower --width, --height or --photons", ExitCode::outOfMemory);
-  } catch (const std::exception& error) {
-    return fail(error.what(), ExitCode::internal);
-  } catch (...) {
-    return fail("an unknown failure", ExitCode::internal);
-  }
+  prepareStandardStreams();
+  return finishStandardOutput(runGuarded(argc, argv));
 }

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
+
+#include "app/standard_streams.h"
 
 namespace ropelight {
 namespace {
@@ -13,6 +16,23 @@ constexpr int barWidth = 30;
 constexpr double barInterval = 0.1;  // seconds
 constexpr double lineInterval = 5;   // seconds
 constexpr double firstLine = 1;      // seconds; a shorter run needs none
+
+ProgressStyle styleFor(bool quiet) {
+  if (quiet) return ProgressStyle::none;
+  return isatty(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+double intervalOf(ProgressStyle style) { return style == ProgressStyle::bar ? barInterval : lineInterval; }
+
+void clearBar() { std::fputs("\r\x1b[K", stderr); }
+
+/// A line, or a bar over the one before.
+void show(ProgressStyle style, double share, const std::string& text) {
+  if (style == ProgressStyle::lines) return printError(text);
+  int const filled = int(share * barWidth);
+  std::fputs(fmt::format("\r[{:#>{}}{:->{}}] {}\x1b[K", "", filled, "", barWidth - filled, text).c_str(), stderr);
+  std::fflush(stderr);
+}
 
 }  // namespace
 
@@ -24,20 +44,15 @@ std::string formatDuration(double seconds) {
 }
 
 Progress::Progress(const Goal& goal, bool quiet)
-    : goal_(goal),
-      style_(quiet                   ? Style::none
-             : isatty(STDERR_FILENO) ? Style::bar
-                                     : Style::lines) {
-  nextShown_ = style_ == Style::bar ? 0 : firstLine;
-}
+    : goal_(goal), style_(styleFor(quiet)), nextShown_(style_ == ProgressStyle::bar ? 0 : firstLine) {}
 
 Progress::~Progress() {
-  if (barOpen_) std::fputs("\r\x1b[K", stderr);
+  if (barOpen_) clearBar();
 }
 
 void Progress::update(std::uint64_t iterations, double seconds) {
-  if (style_ == Style::none || seconds < nextShown_) return;
-  nextShown_ = seconds + (style_ == Style::bar ? barInterval : lineInterval);
+  if (style_ == ProgressStyle::none || seconds < nextShown_) return;
+  nextShown_ = seconds + intervalOf(style_);
   show(iterations, seconds);
 }
 
@@ -50,15 +65,25 @@ void Progress::show(std::uint64_t iterations, double seconds) {
   std::string const left = share > 0 ? formatDuration(seconds * (1 - share) / share) : "-:--";
   std::string const count =
       goal_.iterations > 0 ? fmt::format("{}/{}", iterations, goal_.iterations) : fmt::format("{}", iterations);
-  std::string const text = fmt::format("{:3.0f}%  {} iterations  {:.3g} it/s  {} left", 100 * share, count, rate, left);
-  if (style_ == Style::lines) {
-    fmt::print(stderr, "{}\n", text);
-    return;
-  }
-  int const filled = int(share * barWidth);
-  fmt::print(stderr, "\r[{:#>{}}{:->{}}] {}\x1b[K", "", filled, "", barWidth - filled, text);
-  std::fflush(stderr);
-  barOpen_ = true;
+  ropelight::show(style_, share,
+                  fmt::format("{:3.0f}%  {} iterations  {:.3g} it/s  {} left", 100 * share, count, rate, left));
+  barOpen_ = style_ == ProgressStyle::bar;
+}
+
+ShareProgress::ShareProgress(std::string what, bool quiet) : what_(std::move(what)), style_(styleFor(quiet)) {}
+
+ShareProgress::~ShareProgress() {
+  if (barOpen_) clearBar();
+}
+
+void ShareProgress::update(double share) {
+  double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  if (style_ == ProgressStyle::none || seconds < nextShown_) return;
+  nextShown_ = seconds + intervalOf(style_);
+  show(style_, share,
+       fmt::format("{:3.0f}%  {}  {} left", 100 * share, what_,
+                   share > 0 ? formatDuration(seconds * (1 - share) / share) : "-:--"));
+  barOpen_ = style_ == ProgressStyle::bar;
 }
 
 }  // namespace ropelight

@@ -3,20 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cstdio>
-#include <filesystem>
-#include <optional>
+#include <functional>
 
 #include "app/accumulate.h"
 #include "app/output.h"
 #include "app/report.h"
 #include "app/scene_path.h"
+#include "app/standard_streams.h"
 #include "render/core/error.h"
 #include "render/core/version.h"
-#include "render/film/exr.h"
-#include "render/film/png.h"
+#include "render/film/image_file.h"
 #include "render/scene/load.h"
 
 namespace ropelight {
@@ -24,41 +21,23 @@ namespace {
 
 constexpr std::uint64_t defaultIterations = 64;
 
-std::string extensionOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
-/// Everything that can be known to fail before any time is spent.
-void checkOutputs(const RenderOptions& options) {
+/// Everything that can be known to fail before any time is spent. inputs: as far as they are known yet.
+void checkOutputs(const RenderOptions& options, const std::vector<std::string>& inputs) {
   for (const std::string& path : options.outputs) {
-    std::string const extension = extensionOf(path);
-    if (extension != ".png" && extension != ".exr")
-      throw Error(fmt::format("{}: an image file ends in .png or .exr; name it so", path), ExitCode::usage);
-  }
-  for (const std::string& path : options.outputs) requireWritable(path);
-  if (!options.json.empty() && options.json != "-") requireWritable(options.json);
-}
-
-void writeImage(const std::string& path, const Image& image, const Metadata& metadata) {
-  if (extensionOf(path) == ".exr")
-    writeExr(path, image, metadata);
-  else
-    writePng(path, image);
-}
-
-/// Tries every file, so that one full disk does not cost the others; then throws what went wrong first.
-void writeImages(const std::vector<std::string>& paths, const Image& image, const Metadata& metadata) {
-  std::optional<Error> failed;
-  for (const std::string& path : paths) {
     try {
-      writeImage(path, image, metadata);
-    } catch (const Error& error) {
-      if (!failed) failed = error;
+      imageFormatOf(path);
+    } catch (const Error&) {
+      throw Error(fmt::format("{}: an image file ends in .png or .exr; name it so", path), ExitCode::usage);
     }
   }
-  if (failed) throw *failed;
+  std::vector<std::string> outputs = options.outputs;
+  outputs.push_back(options.json);
+  requireOutputs(outputs, inputs);
+}
+
+void writeOutput(const std::string& path, const Image& image, const Metadata& metadata, bool quiet) {
+  ShareProgress progress("writing " + path, quiet);
+  writeImage(path, image, {}, metadata, [&](double share) { progress.update(share); });
 }
 
 nlohmann::ordered_json statistics(const RenderOptions& options, const Scene& scene, const Settings& settings,
@@ -76,45 +55,64 @@ nlohmann::ordered_json statistics(const RenderOptions& options, const Scene& sce
           {"stats", toJson(stats)}};
 }
 
-void printSummary(const RenderOptions& options, const Stats& stats, const Accumulated& run) {
-  std::FILE* const stream = options.json == "-" ? stderr : stdout;
-  fmt::print(stream, "{} iterations in {:.2f} s: {:.3g} it/s, {:.3g} Mrays/s, {:.3g} Mphotons/s on {}; wrote {}\n",
-             stats.iterations, run.seconds, iterationRate(stats), megaRays(stats), megaPhotons(stats), stats.device,
-             fmt::join(options.outputs, ", "));
+void writeOutputs(const RenderOptions& options, const Scene& scene, const Integrator& integrator,
+                  const Accumulated& run) {
+  Stats const stats = integrator.stats();
+  Image const film = integrator.film();
+  Metadata const metadata = imageMetadata(stats.settings, scene, stats);
+  std::vector<std::function<void()>> writers;
+  for (const std::string& path : options.outputs)
+    writers.push_back([&] { writeOutput(path, film, metadata, options.quiet); });
+  if (!options.json.empty())
+    writers.push_back([&] { writeJson(options.json, statistics(options, scene, stats.settings, stats, run)); });
+  writeAll(writers);
 }
 
-void printWarnings(const Stats& stats) {
+void printSummary(const RenderOptions& options, const Stats& stats, const Accumulated& run) {
+  printTo(options.json == "-" ? stderr : stdout,
+          "{} iterations in {:.2f} s: {:.3g} it/s, {:.3g} Mrays/s, {:.3g} Mphotons/s on {}; wrote {}\n",
+          stats.iterations, run.seconds, iterationRate(stats), megaRays(stats), megaPhotons(stats), stats.device,
+          fmt::join(options.outputs, ", "));
+}
+
+void printNotes(const Stats& stats) {
   if (stats.regrown > 0)
-    fmt::print(stderr, "note: photons were traced again {} times after their storage had grown\n", stats.regrown);
-  if (stats.chunks > 1) fmt::print(stderr, "note: each iteration's photons were traced in {} parts\n", stats.chunks);
+    printError("note: photons were traced again {} times after their storage had grown", stats.regrown);
+  if (stats.chunks > 1) printError("note: each iteration's photons were traced in {} parts", stats.chunks);
+}
+
+/// What makes the image wrong is said under --quiet too.
+void printWarnings(const Stats& stats) {
   if (stats.nonFinite > 0)
-    fmt::print(stderr, "warning: {} samples were NaN or infinite and were left out of the image\n", stats.nonFinite);
+    printError("warning: {} samples were NaN or infinite and were left out of the image", stats.nonFinite);
   if (stats.truncatedPaths > 0)
-    fmt::print(stderr, "warning: {} paths were cut at {} edges; their light is missing\n", stats.truncatedPaths,
-               hardDepthLimit);
+    printError("warning: {} paths were cut at {} edges; their light is missing", stats.truncatedPaths, hardDepthLimit);
 }
 
 }  // namespace
 
 int runRender(const RenderOptions& options) {
-  checkOutputs(options);
-  Scene const scene = loadScene(findScene(options.scene.scene));
+  std::string const sceneFile = findScene(options.scene.scene);
+  checkOutputs(options, {sceneFile});
+  Scene const scene = loadScene(sceneFile);
+  checkOutputs(options, filesOf(scene));
   std::string why;
   auto const integrator = makeIntegrator(scene, options.scene.settings, options.scene.backend, &why);
-  if (!options.quiet && !why.empty()) fmt::print(stderr, "{}\n", why);
+  if (!options.quiet && !why.empty()) printError(why);
+  for (const std::string& advice : integrator->stats().advice) printError("warning: {}", advice);
 
   Goal goal{options.iterations, options.time};
   if (goal.iterations == 0 && goal.seconds == 0) goal.iterations = defaultIterations;
-  Accumulated const run = accumulate(*integrator, goal, options.quiet);
+  StopOnSignal const stop;  // until the files stand
+  Accumulated const run = accumulate(*integrator, goal, stop, options.quiet);
 
   Stats const stats = integrator->stats();
-  const Settings& settings = stats.settings;
-  writeImages(options.outputs, integrator->film(), imageMetadata(settings, scene, stats));
-  if (!options.json.empty()) writeJson(options.json, statistics(options, scene, settings, stats, run));
-  if (run.interrupted) fmt::print(stderr, "stopped early, after {} iterations\n", stats.iterations);
+  if (run.interrupted && !options.quiet) printError("stopped early, after {} iterations", stats.iterations);
+  writeOutputs(options, scene, *integrator, run);
   if (!options.quiet) printSummary(options, stats, run);
   if (!options.quiet)
     for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+  if (!options.quiet) printNotes(stats);
   printWarnings(stats);
   return int(ExitCode::done);
 }

@@ -184,7 +184,7 @@ nlohmann::ordered_json toJson(const MeshVerdict& m) {
 }  // namespace
 
 int runStress(const StressOptions& options) {
-  if (!options.json.empty() && options.json != "-") requireWritable(options.json);
+  requireOutputs({options.json}, {options.mesh});
   std::vector<StressMesh> meshes = stressMeshes(options.full);
   if (!options.mesh.empty()) {
     meshes.push_back({options.mesh, objTriangles(options.mesh), 0});

@@ -8,54 +8,11 @@
 
 #include "render/film/exr.h"
 #include "render/film/png.h"
-#include "tests/program.h"
+#include "tests/command_line.h"
 
 #ifdef ROPELIGHT_PROGRAM
 
 namespace ropelight {
-namespace {
-
-struct Result {
-  int code;
-  std::string out, err;
-};
-
-using Arguments = std::vector<std::string>;
-
-const Arguments smallRender = {"render", "cornell",  "--backend", "cpu",       "--width",
-                               "16",     "--height", "12",        "--photons", "64"};
-
-Arguments operator+(Arguments first, const Arguments& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
-Result run(const TemporaryFolder& folder, const Arguments& arguments) {
-  Program program(ROPELIGHT_PROGRAM, arguments, folder.path());
-  int const code = program.exitCode();
-  return {code, program.out(), program.err()};
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-nlohmann::json readJson(const std::filesystem::path& path) { return nlohmann::json::parse(fileBytes(path)); }
-
-/// Refused with this code and one line on standard error that holds every part.
-void checkRefused(const Arguments& arguments, int code, const Arguments& parts) {
-  CAPTURE(arguments.back());
-  TemporaryFolder const folder;
-  Result const result = run(folder, arguments);
-  CAPTURE(result.err);
-  CHECK(result.code == code);
-  CHECK(result.out.empty());
-  CHECK(result.err.starts_with("ropelight: "));
-  CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
-  for (const std::string& part : parts) CHECK(contains(result.err, part));
-  CHECK(folder.entries() == 2);  // the two streams and nothing else
-}
-
-}  // namespace
-
 TEST_CASE("help and version go to standard output and exit with 0") {
   TemporaryFolder const folder;
   for (const Arguments& arguments : {Arguments{"--help"}, {"-h"}, {"--version"}, {"render", "--help"}}) {
@@ -186,12 +143,13 @@ TEST_CASE("--time ends a run after that time") {
   CHECK(readJson(folder / "s.json")["stats"]["iterations"] == 3);
 }
 
-TEST_CASE("Ctrl-C writes the image and exits with 0") {
-  for (int const signal : {SIGINT, SIGTERM}) {
+TEST_CASE("Ctrl-C, SIGTERM and SIGHUP write the image and exit with 0") {
+  for (int const signal : {SIGINT, SIGTERM, SIGHUP}) {
     TemporaryFolder const folder;
     Program program(ROPELIGHT_PROGRAM, smallRender + Arguments{"--time", "100", "--json", "s.json"}, folder.path());
     REQUIRE(program.waitForError("it/s"));
     program.send(signal);
+    if (signal == SIGHUP) program.send(signal);  // as a terminal that closes does
     CHECK(program.exitCode() == 0);
     CHECK(contains(program.err(), "stopped early"));
     CHECK(readPng(folder / "out.png").width == 16);

@@ -32,8 +32,16 @@ class Program {
     int const flags = O_WRONLY | O_CREAT | O_TRUNC;
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out_.c_str(), flags, 0666);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err_.c_str(), flags, 0666);
-    int const failed = posix_spawn(&process_, path.c_str(), &actions, nullptr, argv.data(), environ);
+    posix_spawnattr_t attributes;  // a job in the background ignores some signals, and the program would too
+    posix_spawnattr_init(&attributes);
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) sigaddset(&signals, signal);
+    posix_spawnattr_setsigdefault(&attributes, &signals);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    int const failed = posix_spawn(&process_, path.c_str(), &actions, &attributes, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     if (failed) throw std::runtime_error("cannot start " + path);
   }
   Program(const Program&) = delete;

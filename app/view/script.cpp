@@ -59,6 +59,13 @@ Script Script::load(const std::string& file) {
   return script;
 }
 
+std::vector<std::string> Script::outputs() const {
+  std::vector<std::string> files;
+  for (const ScriptCommand& command : commands_)
+    if (command.name == "state" || command.name == "screenshot") files.push_back(command.word);
+  return files;
+}
+
 ScriptRequests Script::apply(ImGuiIO& io, double seconds, double iterations, bool busy) {
   ScriptRequests requests;
   if (!running()) return requests;

@@ -32,6 +32,8 @@ class Script {
   /// Where the program stands, for the wait commands: iterations of A (0 where not ready) and seconds since the start.
   /// Called once a frame, after the backend's and before ImGui's NewFrame. Leaves io alone where nothing is running.
   ScriptRequests apply(ImGuiIO& io, double seconds, double iterations, bool busy);
+  /// The files that its commands write, in their order.
+  std::vector<std::string> outputs() const;
   /// Why the script could not go on, such as a widget that is not there; empty: none.
   const std::string& problem() const { return problem_; }
 

@@ -10,6 +10,7 @@
 
 #include "app/output.h"
 #include "app/scene_path.h"
+#include "app/standard_streams.h"
 #include "app/view/capture.h"
 #include "app/view/pick.h"
 #include "render/backend/devices.h"
@@ -44,8 +45,7 @@ std::filesystem::path preferencesPath(const ViewOptions& options) {
 /// Everything that can be known to fail before a window opens.
 ViewOptions checked(ViewOptions options) {
   options.scene.scene = findScene(options.scene.scene);
-  for (const std::string& file : {options.screenshot, options.state})
-    if (!file.empty()) requireWritable(file);
+  requireOutputs({options.screenshot, options.state}, {options.scene.scene, options.reference, options.script});
   chooseBackend(options.scene.backend);
   return options;
 }
@@ -55,9 +55,23 @@ int gpuOf(const BackendChoice& choice) {
   return chosen.cuda ? chosen.gpu : -1;
 }
 
-std::optional<Script> loadScript(const std::string& file) {
-  if (file.empty()) return {};
-  return Script::load(file);
+/// The scene, where no output would overwrite one of its files.
+std::shared_ptr<const Scene> loadFirstScene(const ViewOptions& options, const std::filesystem::path& preferences) {
+  auto scene = std::make_shared<const Scene>(loadScene(options.scene.scene));
+  std::vector<std::string> inputs = filesOf(*scene);
+  inputs.insert(inputs.end(), {options.reference, options.script, preferences.string()});
+  requireOutputs({options.screenshot, options.state}, inputs);
+  return scene;
+}
+
+/// The script, where no command of it would overwrite what is read. It may write a file of its own again.
+std::optional<Script> loadScript(const ViewOptions& options, const Scene& scene) {
+  if (options.script.empty()) return {};
+  Script script = Script::load(options.script);
+  std::vector<std::string> inputs = filesOf(scene);
+  inputs.insert(inputs.end(), {options.reference, options.script});
+  for (const std::string& file : script.outputs()) requireNoInput(file, inputs);
+  return script;
 }
 
 Preferences initialPreferences(const std::filesystem::path& file, std::string& problem) {
@@ -70,8 +84,8 @@ Viewer::Viewer(const ViewOptions& options)
     : options_(checked(options)),
       lockStep_(options.frames > 0),
       preferencesFile_(preferencesPath(options)),
-      comingScene_(std::make_shared<const Scene>(loadScene(options_.scene.scene))),
-      script_(loadScript(options.script)),
+      comingScene_(loadFirstScene(options_, preferencesFile_)),
+      script_(loadScript(options_, *comingScene_)),
       preferences_(initialPreferences(preferencesFile_, problem_)),
       state_(preferences_.state),
       window_("ropelight", sizeOf(options, preferences_).width, sizeOf(options, preferences_).height),
@@ -91,6 +105,12 @@ Viewer::Viewer(const ViewOptions& options)
 }
 
 Viewer::~Viewer() = default;
+
+std::vector<std::string> Viewer::inputs() const {
+  std::vector<std::string> files = filesOf(scene_ ? *scene_ : *comingScene_);
+  files.insert(files.end(), {options_.reference, options_.script});
+  return files;
+}
 
 int Viewer::run() {
   while (!done_) {
@@ -281,6 +301,7 @@ ViewScale Viewer::viewScale() const {
 
 void Viewer::screenshot(const std::string& file) {
   attempt("saved " + file, [&] {
+    requireNoInput(file, inputs());
     Size const fb = window_.framebufferSize();
     saveScreenshot(file, captureScreen(fb.width, fb.height));
   });
@@ -288,6 +309,7 @@ void Viewer::screenshot(const std::string& file) {
 
 void Viewer::writeState(const std::string& file) {
   attempt("", [&] {
+    requireNoInput(file, inputs());
     writeJson(file, stateReport(context(), picture_, window_, counts_, controls_.selection()));
     counts_.slowestMs = 0;
   });
@@ -316,7 +338,7 @@ void Viewer::end() {
   try {
     savePreferences(preferencesFile_, kept);
   } catch (const Error& error) {
-    fmt::print(stderr, "note: {}\n", error.what());
+    printError("note: {}", error.what());
   }
 }
 

@@ -62,6 +62,8 @@ class Viewer {
   void writeState(const std::string& file);
   void end();
   void setTitle();
+  /// What was read and no output may overwrite.
+  std::vector<std::string> inputs() const;
   /// Says what was done, or why it was not.
   template <class Action>
   void attempt(const std::string& done, Action&& action) {

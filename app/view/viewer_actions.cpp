@@ -5,6 +5,7 @@
 
 #include <exception>
 
+#include "app/output.h"
 #include "app/view/pick.h"
 #include "app/view/viewer.h"
 #include "render/core/error.h"
@@ -72,13 +73,21 @@ void Viewer::performFiles(const Actions& actions) {
     if (given.empty()) continue;
     std::string const file = named(given, extension);
     saved += (saved.empty() ? "saved " : ", ") + file;
-    attempt(saved, [&, &path = file] { savePicture(path, renderer_, state_.edited, state_.tone); });
+    attempt(saved, [&, &path = file] {
+      requireNoInput(path, inputs());
+      savePicture(path, renderer_, state_.edited, state_.tone);
+    });
   }
   if (!actions.saveCamera.empty())
-    attempt("saved " + actions.saveCamera, [&] { writeFile(actions.saveCamera, cameraJson(camera_.camera()) + "\n"); });
+    attempt("saved " + actions.saveCamera, [&] {
+      requireNoInput(actions.saveCamera, inputs());
+      writeFile(actions.saveCamera, cameraJson(camera_.camera()) + "\n");
+    });
   if (!actions.saveSettings.empty())
-    attempt("saved " + actions.saveSettings,
-            [&] { saveSettings(actions.saveSettings, state_.settings[std::size_t(state_.edited)]); });
+    attempt("saved " + actions.saveSettings, [&] {
+      requireNoInput(actions.saveSettings, inputs());
+      saveSettings(actions.saveSettings, state_.settings[std::size_t(state_.edited)]);
+    });
   if (!actions.screenshot.empty()) screenshots_.push_back(named(actions.screenshot, "-window.png"));
 }
 
