@@ -111,7 +111,7 @@ int runRender(const RenderOptions& options) {
   writeOutputs(options, scene, *integrator, run);
   if (!options.quiet) printSummary(options, stats, run);
   if (!options.quiet)
-    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : scene.notes) printError("note: {}", note);
   if (!options.quiet) printNotes(stats);
   printWarnings(stats);
   return int(ExitCode::done);

@@ -101,6 +101,11 @@ std::string shortNumber(double value) {
   return whole ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
+std::string coordinateFormat(double distance) {
+  double const digits = distance > 0 ? std::ceil(4 - std::log10(distance)) : 4;
+  return fmt::format("%.{}f", int(std::clamp(digits, 0.0, 17.0)));
+}
+
 std::string limitsText(const ParamInfo& info) {
   bool const below = std::isfinite(info.max) && info.max < 1e18;
   bool const above = std::isfinite(info.min);

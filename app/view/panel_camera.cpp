@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/view/number_entry.h"
 #include "app/view/panel.h"
 #include "app/view/panel_parts.h"
 #include "app/view/param_widgets.h"
@@ -27,7 +28,7 @@ bool editPoint(const char* name, const char* mark, Vec3d& point, double distance
   ImGui::PushID(mark);
   ImGui::SetNextItemWidth(-1);
   bool const changed = ImGui::DragScalarN("##point", ImGuiDataType_Double, &point.x, 3, float(distance) * 0.004f,
-                                          nullptr, nullptr, "%.4g");
+                                          nullptr, nullptr, coordinateFormat(distance).c_str());
   ImGui::PopID();
   markWidget(mark);
   return changed;

@@ -73,3 +73,11 @@ TEST_CASE("Numbers and limits are said shortly") {
   CHECK(limitsText({.min = 0, .max = 1e30}) == "at least 0");
   CHECK(limitsText({}) == "");
 }
+
+TEST_CASE("Coordinates are shown finely enough for the viewing distance") {
+  CHECK(coordinateFormat(8) == "%.4f");
+  CHECK(coordinateFormat(0.002) == "%.7f");
+  CHECK(coordinateFormat(5e6) == "%.0f");
+  CHECK(coordinateFormat(1e-15) == "%.17f");
+  CHECK(coordinateFormat(0) == "%.4f");
+}
