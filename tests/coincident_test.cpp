@@ -8,6 +8,7 @@
 #include "render/scene/coincident.h"
 #include "render/scene/transform.h"
 #include "tests/coincident_scenes.h"
+#include "tests/oracle/scenes.h"
 #include "tests/rendering.h"
 
 using namespace ropelight;
@@ -90,6 +91,49 @@ TEST_CASE("only surfaces whose order matters are put in layers") {
   for (ShapeDesc& s : apart.shapes)
     if (s.kind == ShapeKind::box && s.name == "glass") s.toWorld[3].y += 1e-3;
   CHECK_FALSE(stacked(apart));
+}
+
+TEST_CASE("faces of opaque solids that something opaque covers are left out, and need no order") {
+  Scene scene = emptyScene(0.5f);
+  int const clay = addMaterial(scene, DiffuseParams{Rgb(0.2f)});
+  addBox(scene, {-2, 0, -2}, {2, 3, 2});
+  lookAt(scene, {1, 1, 1.5}, {0, 0, 0}, {0, 1, 0}, 60);
+  addQuad(scene, {-0.5, 2.9, -0.5}, {1, 0, 0}, {0, 0, 1}).emission = Emission{Rgb(5), Side::out};
+  addBox(scene, {-0.5, 0, -0.5}, {0, 1, 0}, clay);
+  addMeshBox(scene, {0.3, 0, 0.3}, {0.8, 0.5, 0.8}, clay);
+  FlatScene const flat = flatten(scene);
+  CHECK(flat.layers.empty());
+  CHECK(flat.quads.size() == 12);
+  CHECK(flat.triangles.size() == 10);
+  CHECK(flat.material.size() == 22);
+  CHECK(flat.light.size() == 12);
+  CHECK(flat.lights[0].primitive == 6);
+
+  Scene within = scene;  // a lamp in the block: its bottom is seen
+  addSphere(within, {-0.25, 0.5, -0.25}, 0.1).emission = Emission{Rgb(5), Side::out};
+  CHECK_FALSE(flatten(within).layers.empty());
+  Scene open = scene;  // a carpet is no solid
+  open.meshes.back().triangles.resize(10);
+  CHECK_FALSE(flatten(open).layers.empty());
+  Scene glass = scene;
+  glass.materials[std::size_t(clay)].desc = DielectricParams{1.5f};
+  CHECK(flatten(glass).quads.size() == 13);
+  CHECK_FALSE(flatten(glass).layers.empty());
+}
+
+TEST_CASE("blocks on a floor look the same whether their hidden faces are there or not") {
+  Scene scene = emptyScene(0.5f);
+  int const clay = addMaterial(scene, DiffuseParams{Rgb(0.2f)});
+  addBox(scene, {-2, 0, -2}, {2, 3, 2});
+  lookAt(scene, {1, 1, 1.5}, {0, 0, 0}, {0, 1, 0}, 60);
+  addQuad(scene, {-0.5, 2.9, -0.5}, {1, 0, 0}, {0, 0, 1}).emission = Emission{Rgb(5), Side::out};
+  addMeshBox(scene, {-0.5, 0, -0.5}, {0.3, 1, 0.2}, clay);
+  Scene above = scene;
+  for (Vec3d& p : above.meshes.back().positions)
+    if (p.y == 0) p.y = 1e-4;
+  Settings settings = settingsFor("path", 32, 32);
+  double const gap = meanOf(renderImage(above, settings, 64)), none = meanOf(renderImage(scene, settings, 64));
+  CHECK(none == doctest::Approx(gap).epsilon(0.005));
 }
 
 TEST_CASE("a mesh of many triangles is looked at as a few are") {
@@ -195,4 +239,29 @@ TEST_CASE("of two lamps at the same place one shines") {
       CAPTURE(direct);
       CHECK(meanOf(renderImage(scene, settings, 64)) == doctest::Approx(expected).epsilon(0.01));
     }
+}
+
+TEST_CASE("glass on a floor and a lamp in a ceiling are lit as the oracle says of a hair's breadth between them" *
+          doctest::test_suite("slow")) {
+  constexpr int size = 48, tile = 12;
+  std::vector<double> variance;
+  auto const image = oracle::render(oracle::touchingRoom(size, size, 1e-5), 1500, 5, 0, {}, &variance);
+  auto const expected = oracle::tileMeans(image, variance, size, tile);
+  Scene const scene = fromOracle(oracle::touchingRoom(size, size, 0));
+  REQUIRE(stacked(scene));
+  for (const char* mode : {"path", "sppm"}) {
+    Settings settings = settingsFor(mode, size, size);
+    settings.photons = 50000;
+    settings.radius = 0.02;
+    TileStatistics const found = tileStatistics(renderSeeds(scene, settings, 64, 6), tile);
+    double const bias = mode == std::string("sppm") ? 0.03 : 0.003;  // of discs along edges
+    for (std::size_t t = 0; t < expected.size(); ++t)
+      for (std::size_t c = 0; c < 3; ++c) {
+        CAPTURE(mode);
+        CAPTURE(t);
+        CAPTURE(c);
+        double const sigma = std::hypot(std::sqrt(expected[t].variance), found.error[t][c]);
+        CHECK(std::abs(found.mean[t][c] - expected[t].mean[c]) < 4 * sigma + bias * expected[t].mean[c]);
+      }
+  }
 }

@@ -38,8 +38,8 @@ std::string shortNumber(std::uint64_t value);
 inline std::string shortNumber(int value) { return std::to_string(value); }
 inline std::string shortNumber(float value) { return shortNumber(double(value)); }
 
-/// printf's format of a coordinate to a ten-thousandth of a viewing distance, wherever the scene lies: significant digits
-/// would not do far from the origin, where a dragged coordinate is rounded to what is shown.
+/// printf's format of a coordinate to a ten-thousandth of a viewing distance, wherever the scene lies: significant
+/// digits would not do far from the origin, where a dragged coordinate is rounded to what is shown.
 std::string coordinateFormat(double distance);
 
 /// "from 0.25 to 16 gather radii", as far as there are limits.

@@ -53,6 +53,7 @@ class Search {
       testAll();
     else
       testNear();
+    takeHidden(scene_, flat_, found_);
     notePlaced();
     return std::move(found_);
   }

@@ -89,6 +89,18 @@ double placeTolerance(const Facet& a, const Facet& b) {
   return 2 * (a.bound + b.bound) + 4 * rounding * std::min(a.size, b.size);
 }
 
+bool covers(const Facet& large, const Facet& small) {
+  if (large.curved() || small.curved()) return false;
+  double const tolerance = placeTolerance(large, small);
+  for (int i = 0; i < large.corners; ++i) {
+    Vec3d const inward = glm::cross(large.normal, large.corner[(i + 1) % large.corners] - large.corner[i]);
+    double const length = glm::length(inward);
+    for (int k = 0; k < small.corners; ++k)
+      if (glm::dot(inward, small.corner[k] - large.corner[i]) < -tolerance * length) return false;
+  }
+  return true;
+}
+
 bool coincide(const Facet& a, const Facet& b) {
   if (a.curved() != b.curved()) return false;
   double const tolerance = placeTolerance(a, b);

@@ -31,4 +31,7 @@ double placeTolerance(const Facet& a, const Facet& b);
 /// edge; or two ellipsoids have one surface. Polygons without a normal coincide with nothing.
 bool coincide(const Facet& a, const Facet& b);
 
+/// Whether a polygon covers another one that coincides with it, corners and all.
+bool covers(const Facet& large, const Facet& small);
+
 }  // namespace ropelight

@@ -19,14 +19,19 @@ double area(const FlatQuad& q) { return glm::length(glm::cross(q.corner[1] - q.c
 
 double area(const FlatTriangle& t) { return 0.5 * glm::length(glm::cross(t.b - t.a, t.c - t.a)); }
 
+/// What a first pass found that the next has to heed.
+struct Exceptions {
+  std::vector<std::uint32_t> copied;  ///< shapes whose meshes are not placed, whatever the rule says; ascending
+  std::vector<std::uint32_t> hidden;  ///< primitives of the pass before that are left out; ascending
+};
+
 /// Shapes of one kind at a time, so that primitive numbers come out grouped.
 class Flattener {
  public:
-  /// copied: shapes whose meshes are not placed, whatever the rule says.
-  Flattener(const Scene& scene, Instancing instancing, const std::vector<std::uint32_t>& copied)
-      : scene_(scene), instancing_(instancing), copied_(copied) {}
+  Flattener(const Scene& scene, Instancing instancing, const Exceptions& except)
+      : scene_(scene), instancing_(instancing), except_(except) {}
 
-  FlatScene run(std::vector<std::uint32_t>& touching) {
+  FlatScene run(CoincidentPairs& found) {
     chooseKept();
     for (const NamedMaterial& m : scene_.materials) out_.materials.push_back(m.desc);
     for (const ShapeDesc& s : scene_.shapes) {
@@ -39,9 +44,8 @@ class Flattener {
       if (s.kind == ShapeKind::mesh && !kept(s)) addMesh(s);
     addInstances();
     finish();
-    CoincidentPairs const found = findCoincident(scene_, out_, shapeOf_);
-    touching = found.placed;
-    if (touching.empty()) out_.layers = makeLayers(scene_, out_, shapeOf_, found);
+    found = findCoincident(scene_, out_, shapeOf_);
+    if (found.placed.empty()) out_.layers = makeLayers(scene_, out_, shapeOf_, found);
     return std::move(out_);
   }
 
@@ -67,7 +71,10 @@ class Flattener {
     out_.lights.push_back(light);
   }
 
+  bool leftOut() { return std::binary_search(except_.hidden.begin(), except_.hidden.end(), number_++); }
+
   void addFace(const ShapeDesc& shape, Vec3d a, Vec3d b, Vec3d c, Vec3d d) {
+    if (leftOut()) return;
     FlatQuad const quad{{a, b, c, d}};
     out_.quads.push_back(quad);
     add(shape, area(quad));
@@ -95,6 +102,7 @@ class Flattener {
   void addSphere(const ShapeDesc& s) {
     FlatSphere sphere{Mat3d(s.toWorld), Vec3d(s.toWorld[3])};
     if (glm::determinant(sphere.toWorld) < 0) sphere.toWorld[0] = -sphere.toWorld[0];  // the same surface, outside out
+    ++number_;
     out_.spheres.push_back(sphere);
     add(s, ellipsoidArea(sphere.toWorld));
   }
@@ -103,6 +111,7 @@ class Flattener {
     const Mesh& mesh = scene_.meshes[std::size_t(s.mesh)];
     bool const mirrored = glm::determinant(Mat3d(s.toWorld)) < 0;
     for (glm::uvec3 t : mesh.triangles) {
+      if (leftOut()) continue;
       if (mirrored) std::swap(t.y, t.z);
       FlatTriangle const triangle{apply(s.toWorld, mesh.positions[t.x]), apply(s.toWorld, mesh.positions[t.y]),
                                   apply(s.toWorld, mesh.positions[t.z])};
@@ -113,7 +122,7 @@ class Flattener {
 
   bool placeable(const ShapeDesc& s) const {
     auto const index = std::uint32_t(&s - scene_.shapes.data());
-    if (std::binary_search(copied_.begin(), copied_.end(), index)) return false;
+    if (std::binary_search(except_.copied.begin(), except_.copied.end(), index)) return false;
     Vec3d const growth = roundingGrowth(Mat3d(s.toWorld));
     return std::max({growth.x, growth.y, growth.z}) <= maxInstanceGrowth;
   }
@@ -179,7 +188,8 @@ class Flattener {
 
   const Scene& scene_;
   Instancing instancing_;
-  const std::vector<std::uint32_t>& copied_;
+  const Exceptions& except_;
+  std::uint32_t number_ = 0;            ///< of primitives, those that are left out included
   std::vector<std::uint32_t> shapeOf_;  ///< by primitive
   std::vector<bool> keep_;              ///< by mesh of the scene
   FlatScene out_;
@@ -188,12 +198,19 @@ class Flattener {
 }  // namespace
 
 FlatScene flatten(const Scene& scene, Instancing instancing) {
-  std::vector<std::uint32_t> copied, touching;
-  for (;;) {  // layers belong to primitives, which the triangles of placed meshes are not
-    FlatScene flat = Flattener(scene, instancing, copied).run(touching);
-    if (touching.empty()) return flat;
-    copied.insert(copied.end(), touching.begin(), touching.end());
-    std::sort(copied.begin(), copied.end());
+  Exceptions except;
+  for (;;) {
+    CoincidentPairs found;
+    FlatScene flat = Flattener(scene, instancing, except).run(found);
+    if (!found.placed.empty()) {  // layers belong to primitives, which the triangles of placed meshes are not
+      except.hidden.clear();
+      except.copied.insert(except.copied.end(), found.placed.begin(), found.placed.end());
+      std::sort(except.copied.begin(), except.copied.end());
+    } else if (!found.hidden.empty() && except.hidden.empty()) {
+      except.hidden = found.hidden;
+    } else {
+      return flat;
+    }
   }
 }
 

@@ -32,7 +32,8 @@ double agreeingShare(const Image& a, const Image& b, double relative) {
 }
 
 std::vector<oracle::Scene> scenes() {
-  return {oracle::diffuseBox(96, 96), oracle::boxSpheresDiffuse(96, 96), oracle::pool(96, 96)};
+  return {oracle::diffuseBox(96, 96), oracle::boxSpheresDiffuse(96, 96), oracle::pool(96, 96),
+          oracle::touchingRoom(96, 96, 0)};
 }
 
 Settings settingsOf(const std::string& mode, const std::string& accel) {

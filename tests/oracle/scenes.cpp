@@ -87,4 +87,22 @@ Scene pool(int width, int height) {
   return scene;
 }
 
+Scene touchingRoom(int width, int height, double gap) {
+  Bounds const room{{-1, 0, -1}, {1, 2, 1}};
+  Bounds const block{{-0.5, gap, -0.6}, {0.3, 0.7, 0.1}};
+  double const under = 2 - gap;
+  Diffuse const wall{grey(0.6)};
+  Scene scene;
+  scene.camera = {{0.1, 1.3, 0.95}, {-0.1, 0.2, -0.2}, {0, 1, 0}, 60, width, height};
+  scene.shapes = {{inward(left(room)), Diffuse{{0.6, 0.3, 0.2}}},
+                  {inward(right(room)), Diffuse{{0.2, 0.3, 0.6}}},
+                  {inward(lowY(room)), Diffuse{{0.5, 0.7, 0.3}}},
+                  {inward(highY(room)), wall},
+                  {inward(lowZ(room)), wall},
+                  {inward(highZ(room)), wall},
+                  {lowY({{-0.8, under, -0.8}, {0.8, under, 0.8}}), Diffuse{}, {{5, 5, 5}}}};
+  for (auto* face : {left, right, lowY, highY, lowZ, highZ}) scene.shapes.push_back({face(block), Dielectric{1.5}});
+  return scene;
+}
+
 }  // namespace oracle

@@ -16,4 +16,8 @@ Scene boxSpheresDiffuse(int width, int height);
 /// faces down, the camera in the air above: all light on the floor is a caustic.
 Scene pool(int width, int height);
 
+/// Closed room [−1, 1] × [0, 2] × [−1, 1] with a glass block that stands this far above the floor and a lamp that hangs
+/// as far below the ceiling. With 0 they lie at the same place, which the oracle itself cannot tell apart.
+Scene touchingRoom(int width, int height, double gap);
+
 }  // namespace oracle
