@@ -44,6 +44,8 @@ struct QuadLight {
   /// Share of the samples that are taken by the cosine to the plane: 0 where the quad is small against its distance,
   /// nearly 1 where it is huge.
   RL_HD static Real cosineShare(const Quad& quad, Real area, Vec3 from) {
+    Real const height = dot(quad.n, from - quad.a);
+    if (area <= 4 * height * height) return 0;  // the usual case, at little cost
     Vec2 const st = coordinates(quad, area, from - quad.a);
     Real const s = minOf(maxOf(st.x, Real(0)), Real(1)), t = minOf(maxOf(st.y, Real(0)), Real(1));
     Vec3 const nearest = quad.a + (quad.b - quad.a) * s + (quad.d - quad.a) * t;
