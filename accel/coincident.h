@@ -45,8 +45,8 @@ RL_HD inline void forEachNear(const SceneView& scene, const Ray& ray, Test&& tes
   for (std::uint32_t id = 0; id < scene.primitiveCount; ++id) test(id);
 }
 
-/// The surface of the stack at s whose number is the highest below `limit` (`nearest`: the lowest), as seen from the
-/// front or the back. Its t is 0; none is found where there is no such surface.
+/// The surface of the stack at s whose number, as seen from the front or the back, is the highest below that of s, or
+/// the lowest of all. Its t is 0; none is found where there is no such surface.
 template <FeatureBits F>
 RL_HD inline Hit search(const SceneView& scene, const Surface& s, const Layer& at, bool front, bool lowest) {
   constexpr FeatureBits shapes = F & ~(feature::tree | feature::shortStack | feature::bvh | feature::instances);
