@@ -78,7 +78,7 @@ TEST_CASE("a move by powers of two changes no bit") {
     }
 }
 
-TEST_CASE("offsets of 1e3 to 1e7 give the picture of the scene at the origin") {
+TEST_CASE("offsets of 1e3 to 1e7 give the picture of the scene at the origin" * doctest::test_suite("slow")) {
   for (const char* mode : {"path", "sppm"}) {
     TileStatistics const here = tileStatistics(renderSeeds(room(), small(mode), 8, 8), 16);
     for (double far : {1e3, 1e4, 1e5, 1e6, 1e7}) {
@@ -90,7 +90,7 @@ TEST_CASE("offsets of 1e3 to 1e7 give the picture of the scene at the origin") {
   }
 }
 
-TEST_CASE("a furnace far from the origin is as bright as one near it") {
+TEST_CASE("a furnace far from the origin is as bright as one near it" * doctest::test_suite("slow")) {
   for (double far : {0.0, 1e5, 1e6, 1e7}) {
     CAPTURE(far);
     Scene scene = emptyScene(0.5f);

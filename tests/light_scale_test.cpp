@@ -75,7 +75,8 @@ double seen(const Lamp& lamp, const char* mode, int iterations, const BackendCho
 
 }  // namespace
 
-TEST_CASE("lights of 1e-7 to 1e6 of their distance keep their irradiance within half a percent") {
+TEST_CASE("lights of 1e-7 to 1e6 of their distance keep their irradiance within half a percent" *
+          doctest::test_suite("slow")) {
   for (const BackendChoice& backend : everyBackend())
     for (int decade = -7; decade <= 6; ++decade)
       for (const Lamp& lamp : lamps(std::pow(10.0, decade)))
