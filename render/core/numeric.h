@@ -24,14 +24,25 @@ RL_HD inline Real maxAbs(Vec3 v) { return maxOf(maxOf(abs(v.x), abs(v.y)), abs(v
 RL_HD inline Vec3 absolute(Vec3 v) { return Vec3(abs(v.x), abs(v.y), abs(v.z)); }
 RL_HD inline Real lengthSquared(Vec3 v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
-/// Moves a computed surface point off its surface to the side of w, past the bound on its error (pbrt-3, §3.9.5).
-/// p, error in scene units; n unit length; by no more than `most`.
-RL_HD inline Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 n, Vec3 w, Real most = infinity) {
-  Real const distance = minOf(dot(absolute(n), error), most);
-  Vec3 offset = n * (dot(w, n) < 0 ? -distance : distance);
-  Vec3 const o = p + offset;
-  Vec3 const rounding = (2 * machineEpsilon) * absolute(o);  // at least one step of each coordinate
+/// p moved along n by a distance, and by at least one step of each coordinate.
+RL_HD inline Vec3 moveAlong(Vec3 p, Vec3 n, Real distance) {
+  Vec3 const offset = n * distance, o = p + offset;
+  Vec3 const rounding = (2 * machineEpsilon) * absolute(o);
   return o + Vec3(copysign(rounding.x, offset.x), copysign(rounding.y, offset.y), copysign(rounding.z, offset.z));
+}
+
+/// Moves a computed surface point off its surface to the side of w, past the bound on its error (pbrt-3, §3.9.5).
+/// p, error in scene units; n unit length.
+RL_HD inline Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 n, Vec3 w) {
+  Real const distance = dot(absolute(n), error);
+  return moveAlong(p, n, dot(w, n) < 0 ? -distance : distance);
+}
+
+/// The same for an end of a segment whose other end is at p + w: by no more than 0.4 of the way along the normal, so
+/// that the two ends never pass each other.
+RL_HD inline Vec3 offsetSegmentEnd(Vec3 p, Vec3 error, Vec3 n, Vec3 w) {
+  Real const along = dot(w, n), distance = minOf(dot(absolute(n), error), Real(0.4) * abs(along));
+  return moveAlong(p, n, along < 0 ? -distance : distance);
 }
 
 }  // namespace ropelight::RL_TARGET

@@ -97,12 +97,11 @@ RL_HD inline Real lightPdf(const SceneView& scene, Vec3 from, const Surface& on,
   return pdf * light.pick;
 }
 
-/// The segment from a surface point to the one at `toward` from it, kept clear of both surfaces, but never by so much
-/// that the two ends pass each other; directions are t in (0, 1].
+/// The segment from a surface point to the one at `toward` from it, kept clear of both surfaces; directions are t in
+/// (0, 1].
 RL_HD inline Ray segment(const Surface& a, Vec3 toward, const Surface& b) {
-  constexpr Real most = Real(0.4);  // of the way from each end
-  Vec3 const from = offsetRayOrigin(a.p, a.error, a.n, toward, most * abs(dot(a.n, toward)));
-  Vec3 const to = offsetRayOrigin(a.p + toward, b.error, b.n, -toward, most * abs(dot(b.n, toward)));
+  Vec3 const from = offsetSegmentEnd(a.p, a.error, a.n, toward);
+  Vec3 const to = offsetSegmentEnd(a.p + toward, b.error, b.n, -toward);
   return Ray{from, to - from, Real(1)};
 }
 

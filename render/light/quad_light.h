@@ -20,10 +20,10 @@ struct QuadLight {
   RL_HD static Real sampleToward(const Quad& quad, Real area, const Receiver& from, Vec2 u, Surface& out,
                                  Vec3& toward) {
     Real const share = cosineShare(quad, area, from.p);
-    if (u.x < share) {
+    if (share > 0 && u.x < share) {
       if (!sampleCosine(quad, area, from.p, Vec2(u.x / share, u.y), out, toward)) return 0;
     } else {
-      placeOn(quad, minOf((u.x - share) / (1 - share), 1 - machineEpsilon), u.y, out);
+      placeOn(quad, share > 0 ? minOf((u.x - share) / (1 - share), 1 - machineEpsilon) : u.x, u.y, out);
       toward = out.p - from.p;
     }
     return density(quad, area, share, toward);
