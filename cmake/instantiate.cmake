@@ -1,6 +1,6 @@
 # The integrators' drivers are templates. Each mode × kernel row × backend is instantiated in a translation unit of its
 # own, so that they build in parallel and no unit takes minutes. The lists are those of variants.h.
-set(ROPELIGHT_VARIANTS "${PROJECT_SOURCE_DIR}/render/integrator/variants.h")
+set(ROPELIGHT_VARIANTS "${PROJECT_SOURCE_DIR}/render/kernels/variants.h")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${ROPELIGHT_VARIANTS}")
 
 # Sets `result` to the words of an X-macro: "#define RL_MODES(X) X(ray) X(path)" gives ray;path.

@@ -7,4 +7,4 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/setup.sh checks
 action=(--dry-run -Werror)
 [[ ${1:-} == --fix ]] && action=(-i)
-find accel app render tests -name '*.h' -o -name '*.cpp' -o -name '*.cu' | sort | xargs -r clang-format "${action[@]}"
+find accel app measure render tests -name '*.h' -o -name '*.cpp' -o -name '*.cu' | sort | xargs -r clang-format "${action[@]}"

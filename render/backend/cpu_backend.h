@@ -18,7 +18,7 @@
 #include "render/backend/tally.h"
 #include "render/core/radix_sort.h"
 #include "render/core/span.h"
-#include "render/integrator/integrator.h"
+#include "render/integrators/integrator.h"
 
 namespace ropelight::RL_TARGET {
 

@@ -13,7 +13,7 @@
 #include "render/backend/ledger.h"
 #include "render/backend/tally.h"
 #include "render/core/span.h"
-#include "render/integrator/integrator.h"
+#include "render/integrators/integrator.h"
 
 namespace ropelight::cuda {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/integrator/integrator.h"
+#include "render/integrators/integrator.h"
 
 namespace ropelight {
 

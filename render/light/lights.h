@@ -2,9 +2,9 @@
 // The list of light shapes, and the two questions that the integrators ask: where does a photon start, and what light
 // reaches this point. Lights are chosen in proportion to their power.
 
-#include "accel/coincident.h"
 #include "render/core/frame.h"
 #include "render/core/warp.h"
+#include "render/intersection/flight.h"
 #include "render/light/quad_light.h"
 #include "render/light/sphere_light.h"
 

@@ -4,8 +4,8 @@
 
 #include "render/core/frame.h"
 #include "render/core/warp.h"
+#include "render/intersection/scene_view.h"
 #include "render/light/receiver.h"
-#include "render/scene/view.h"
 
 namespace ropelight::RL_TARGET {
 

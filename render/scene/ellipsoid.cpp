@@ -2,7 +2,7 @@
 #include <cmath>
 #include <functional>
 
-#include "render/scene/flatten.h"
+#include "render/flatten/flatten.h"
 
 namespace ropelight {
 

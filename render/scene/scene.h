@@ -8,8 +8,8 @@
 #include "render/bsdf/bsdfs.h"
 #include "render/core/params.h"
 #include "render/core/vec.h"
-#include "render/light/side.h"
 #include "render/scene/mesh_report.h"
+#include "render/scene/side.h"
 
 namespace ropelight {
 

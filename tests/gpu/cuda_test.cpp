@@ -8,8 +8,8 @@
 
 #include "tests/gpu/device.h"
 #include "tests/oracle/scenes.h"
-#include "tests/placed_meshes.h"
-#include "tests/rendering.h"
+#include "tests/scenes/placed_meshes.h"
+#include "tests/support/rendering.h"
 
 using namespace ropelight;
 using namespace ropelight::testing;

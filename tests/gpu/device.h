@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "render/integrator/integrator.h"
+#include "render/integrators/integrator.h"
 
 namespace ropelight {
 

@@ -3,15 +3,15 @@
 
 #include <doctest/doctest.h>
 
-#include "accel/bvh_build.h"
-#include "accel/kd_build.h"
-#include "render/trace/gather_stream.h"
-#include "render/trace/meshes.h"
-#include "render/trace/ray_stream.h"
-#include "render/trace/stress_meshes.h"
-#include "render/trace/stress_rays.h"
+#include "accel/bvh/build.h"
+#include "accel/kdtree/builder/build.h"
+#include "measure/rays/meshes.h"
+#include "measure/rays/stress_meshes.h"
+#include "measure/rays/stress_rays.h"
+#include "measure/streams/gather_stream.h"
+#include "measure/streams/ray_stream.h"
 #include "tests/gpu/device.h"
-#include "tests/test_random.h"
+#include "tests/support/test_random.h"
 
 using namespace ropelight;
 

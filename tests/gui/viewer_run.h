@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/film/png.h"
+#include "render/image_files/png.h"
 #include "tests/gui/virtual_display.h"
-#include "tests/program.h"
+#include "tests/support/program.h"
 
 namespace ropelight {
 

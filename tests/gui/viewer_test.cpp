@@ -4,7 +4,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "render/film/exr.h"
+#include "render/image_files/exr.h"
 #include "tests/gui/viewer_run.h"
 
 #ifdef ROPELIGHT_PROGRAM

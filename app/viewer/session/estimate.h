@@ -1,0 +1,76 @@
+#pragma once
+// One estimate as the render thread drives it: its integrator, what that was last told, and its measurements.
+
+#include <mutex>
+
+#include "app/viewer/session/error_curve.h"
+
+namespace ropelight::view {
+
+/// What an integrator is to render.
+struct Target {
+  std::uint64_t scene = 0;  ///< version
+  CameraDesc camera;
+  Settings settings;
+
+  bool operator==(const Target&) const = default;
+};
+
+/// A coarser and cheaper version of the settings: every `scale`-th pixel and photon, with discs as much larger.
+/// firstRadius: of the settings, resolved; 0 where it is not known.
+Settings draftOf(const Settings& settings, const FilmDesc& film, int scale, double firstRadius);
+
+class Estimate {
+ public:
+  /// Takes a new integrator, or gives up the old one (null).
+  void install(std::unique_ptr<Integrator> integrator, const Target& target);
+  /// Restarts for the target, coarser by `scale`; `still`: the automatic radius may be looked for anew. False where
+  /// another integrator is needed; throws as Integrator::restart.
+  bool restart(const Target& target, const FilmDesc& film, int scale, bool still);
+  /// The same once more, from an empty film.
+  void reset();
+  /// Adds iterations. False where it was interrupted.
+  bool advance(int count);
+  /// Brings pixels and photons up to date for the window.
+  void present(std::uint32_t photons);
+
+  /// Iterations that take about `seconds`; at least 1.
+  int batchFor(double seconds) const;
+  /// Nobody knows yet what an iteration takes.
+  /// Whether there are pixels of the present film to copy.
+  bool presented() const { return shown_.ready; }
+  bool unmeasured() const { return fullSeconds_ == 0; }
+  /// The coarsening at which one iteration takes at most `seconds`: 1, 2, 4 or 8.
+  int scaleFor(double seconds) const;
+  /// Measures the error where a picture is due.
+  void measure(const Image* truth, std::uint64_t version);
+  /// What the window may know; the flags `enabled` and `building` are the renderer's.
+  void fill(EstimateStatus& status) const;
+
+  bool copyPixels(void* to, std::size_t capacity, int& width, int& height, std::uint64_t& iterations);
+  std::uint32_t copyPhotons(PhotonPoint* to, std::uint32_t capacity);
+
+  std::unique_ptr<Integrator> integrator;  ///< changed under `pixels`
+  Target applied;
+  int scale = 1;
+  bool settled = true;  ///< restarted since the last change, at full size
+  double clock = 0;     ///< share of the machine's time, to be fair by
+  std::string problem;
+  std::uint32_t shownPhotons = 0;     ///< that the latest present() was asked for
+  std::uint64_t measuredVersion = 0;  ///< of the reference, at the latest measure()
+  bool failed = false;                ///< the integrator threw: nothing more is expected of it
+
+ private:
+  void clearMeasurements();
+  void recordStages(const Stats& before);
+
+  mutable std::mutex pixels_;
+  EstimateStatus shown_;
+  ErrorCurve curve_;
+  Stats stats_;
+  double fullSeconds_ = 0;  ///< of one iteration at full size; 0: not known
+  double resolvedRadius_ = 0;
+  Target radiusFor_;  ///< that resolvedRadius_ was found for
+};
+
+}  // namespace ropelight::view

@@ -1,0 +1,21 @@
+#pragma once
+// `path`: unidirectional path tracing.
+
+#include "render/integrators/base.h"
+#include "render/kernels/trace_path.h"
+
+namespace ropelight::RL_TARGET {
+
+template <class Backend, FeatureBits F>
+class PathIntegrator final : public IntegratorBase<Backend> {
+ public:
+  explicit PathIntegrator(const Prepared& p) : IntegratorBase<Backend>(p) {}
+
+ protected:
+  void iterate(std::uint64_t) override {
+    this->backend_.forEach(this->frame_.slots(), TracePath<F>{this->frame_, this->radiance_.span()});
+    this->commit();
+  }
+};
+
+}  // namespace ropelight::RL_TARGET

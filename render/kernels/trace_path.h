@@ -1,0 +1,97 @@
+#pragma once
+// Unidirectional path tracing with next-event estimation, multiple importance sampling and Russian roulette.
+
+#include "render/kernels/direct.h"
+
+namespace ropelight::RL_TARGET {
+
+template <FeatureBits F>
+struct TracePath {
+  static constexpr const char* name = "TracePath";
+  static constexpr std::uint32_t grain = 256;
+
+  FrameView frame;
+  Span<Rgb> radiance;
+
+  RL_HD void operator()(std::uint32_t slot, Tally& tally) const {
+    int x, y;
+    radiance[slot] = Rgb(0.0f);
+    if (!frame.pixelOf(slot, x, y)) return;
+    Sampler sampler = frame.cameraSampler(x, y);
+    Ray const ray = frame.cameraRay<F>(x, y, sampler);
+    radiance[slot] = trace(Flight{ray, Hit{}}, sampler, tally);
+  }
+
+ private:
+  struct State {
+    Rgb throughput{1.0f};
+    Real radianceScale = 1;
+    Real pdf = 0;         ///< of the last direction; 0 after a specular bounce or at the camera
+    Vec3 from{0};         ///< where it was sampled
+    int diffuseHits = 0;  ///< non-specular vertices so far
+  };
+
+  RL_HD Rgb trace(Flight flight, Sampler& sampler, Tally& tally) const {
+    Rgb sum(0.0f);
+    State state;
+    for (int edges = 1; edges <= frame.maxDepth; ++edges) {
+      ++tally.rays;
+      Surface s;
+      if (!meet<F>(frame.scene, flight, s)) return sum;
+      Vec3 const w = flight.ray.direction;
+      sum += state.throughput * arrivingEmission(s, w, state);
+      bool goesOn = false;
+      visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
+        Frame const local(s.n);
+        Vec3 const wo = local.toLocal(-w);
+        if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
+          if (edges < frame.maxDepth) sum += state.throughput * nextEvent(bsdf, s, local, wo, sampler, state, tally);
+          ++state.diffuseHits;
+        }
+        goesOn = bounce(bsdf, s, local, wo, sampler, state, edges, flight);
+      });
+      if (!goesOn) return sum;
+    }
+    if (frame.maxDepth == hardDepthLimit) ++tally.truncated;
+    return sum;
+  }
+
+  /// Emission that the path ran into, weighted against the light sample that could have found it. `indirectOnly` leaves
+  /// out what reaches the eye before a diffuse surface and what the first diffuse surface sees directly.
+  RL_HD Rgb arrivingEmission(const Surface& s, Vec3 w, const State& state) const {
+    Rgb const light = emitted(frame.scene, s, -w);
+    if (isBlack(light)) return light;
+    if (frame.indirectOnly && (state.diffuseHits == 0 || (state.diffuseHits == 1 && state.pdf > 0))) return Rgb(0.0f);
+    if (state.pdf == 0) return light;
+    return light * float(powerHeuristic(state.pdf, lightPdf<F>(frame.scene, state.from, s, w)));
+  }
+
+  template <class Bsdf>
+  RL_HD Rgb nextEvent(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler,
+                      const State& state, Tally& tally) const {
+    if constexpr ((F & feature::lights) == 0) return Rgb(0.0f);
+    if (frame.scene.lights.empty()) return Rgb(0.0f);
+    Rgb const light = directLight<F>(frame, s, local, bsdf, wo, sampler, true, tally);
+    return frame.indirectOnly && state.diffuseHits == 0 ? Rgb(0.0f) : light;
+  }
+
+  template <class Bsdf>
+  RL_HD bool bounce(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler, State& state,
+                    int edges, Flight& flight) const {
+    Vec2 const direction = sampler.next2(), u = sampler.next2();
+    BsdfSample const b = bsdf.sample(wo, u.x, direction, Transport::radiance);
+    state.throughput *= b.weight;
+    state.radianceScale *= b.radianceScale;
+    state.pdf = Bsdf::specular ? Real(0) : b.pdf;
+    state.from = s.p;
+    if (edges > 3) {
+      Real const survival = rouletteSurvival(Real(maxComponent(state.throughput)) / state.radianceScale, edges);
+      if (!(u.y < survival)) return false;
+      state.throughput *= float(1 / survival);
+    }
+    flight = depart<F>(frame.scene, s, normalize(local.toWorld(b.wi)));
+    return !isBlack(state.throughput);
+  }
+};
+
+}  // namespace ropelight::RL_TARGET

@@ -1,0 +1,128 @@
+#pragma once
+// A flat scene on a backend, rounded to its scalar. What the scene lacks is not allocated.
+
+#include "accel/bvh/build.h"
+#include "render/prepare/prepare.h"
+#include "render/upload/upload_instances.h"
+
+namespace ropelight::RL_TARGET {
+
+inline Quad toTarget(const FlatQuad& q) {
+  Vec3d const n = glm::normalize(glm::cross(q.corner[1] - q.corner[0], q.corner[3] - q.corner[0]));
+  return Quad{Vec3(q.corner[0]), Vec3(q.corner[1]), Vec3(q.corner[2]), Vec3(q.corner[3]), Vec3(n)};
+}
+
+inline Sphere toTarget(const FlatSphere& s) {
+  return Sphere{Mat3(glm::inverse(s.toWorld)), Mat3(s.toWorld), Vec3(s.center)};
+}
+
+inline Material toTarget(const MaterialDesc& desc) {
+  Material m;
+  m.kind = std::uint32_t(desc.index());
+  Bsdfs::forEach([&](auto type, int index) {
+    using T = typename decltype(type)::type;
+    if (std::uint32_t(index) != m.kind) return;
+    T bsdf;
+    static_cast<typename T::Params&>(bsdf) = std::get<typename T::Params>(desc);
+    std::memcpy(m.data, &bsdf, sizeof(T));
+  });
+  return m;
+}
+
+inline Light toTarget(const FlatLight& l, double totalPower) {
+  return Light{l.primitive, std::uint32_t(l.side), l.radiance, Real(l.area), Real(l.power / totalPower)};
+}
+
+template <class Backend>
+class DeviceScene {
+ public:
+  template <class T>
+  using Buffer = typename Backend::template Buffer<T>;
+
+  DeviceScene(Backend& backend, const Prepared& p) : backend_(backend) {
+    const FlatScene& flat = *p.flat;
+    view.quads = convert(quads_, "quads", flat.quads);
+    view.spheres = convert(spheres_, "spheres", flat.spheres);
+    view.triangles = convert(triangles_, "triangles", flat.triangles);
+    view.material = copy(material_, "materials", flat.material);
+    if (!flat.lights.empty()) view.lightOf = copy(lightOf_, "lights", flat.light);
+    if (!flat.layers.empty()) view.layers = copy(layers_, "materials", flat.layers);
+    view.materials = convert(materials_, "materials", flat.materials);
+    view.primitiveCount = flat.primitiveCount();
+    uploadLights(flat);
+    instances_.upload(backend, p, view);
+    if (p.features & feature::tree) uploadTree(*p.tree);
+    if (p.features & feature::bvh) uploadBvh(flat, *p.bvh);
+    view.shortStack = (p.features & feature::shortStack) != 0;
+  }
+
+  SceneView view;
+
+ private:
+  template <class T>
+  Span<const T> copy(Buffer<T>& to, const char* purpose, const std::vector<T>& from) {
+    to.allocate(backend_, purpose, from.size());
+    backend_.upload(to, from.data(), from.size());
+    return to.view();
+  }
+
+  template <class T, class From>
+  Span<const T> convert(Buffer<T>& to, const char* purpose, const std::vector<From>& from) {
+    std::vector<T> converted;
+    converted.reserve(from.size());
+    for (const From& f : from) converted.push_back(toTarget(f));
+    return copy(to, purpose, converted);
+  }
+
+  void uploadLights(const FlatScene& flat) {
+    double total = 0, sum = 0;
+    for (const FlatLight& l : flat.lights) total += l.power;
+    std::vector<Light> lights;
+    std::vector<Real> cdf;
+    for (const FlatLight& l : flat.lights) {
+      lights.push_back(toTarget(l, total));
+      sum += l.power / total;
+      cdf.push_back(Real(sum));
+    }
+    if (!cdf.empty()) cdf.back() = 1;
+    view.power = Real(total);
+    view.lights = copy(lights_, "lights", lights);
+    view.lightCdf = copy(lightCdf_, "lights", cdf);
+  }
+
+  void uploadTree(const KdTree& tree) {
+    view.tree.nodes = copy(nodes_, "tree", tree.nodes);
+    view.tree.leaves = copy(leaves_, "tree", tree.leaves);
+    view.tree.references = copy(references_, "tree", tree.references);
+    std::memcpy(view.tree.bounds, tree.bounds, sizeof(tree.bounds));
+  }
+
+  void uploadBvh(const FlatScene& flat, const Bvh<2>& bvh) {
+    if constexpr (bvhWidth == 2)
+      view.bvh.nodes = copy(bvhNodes_, "tree", bvh.nodes);
+    else
+      view.bvh.nodes = copy(bvhNodes_, "tree", widen(bvh).nodes);
+    view.bvh.items = copy(bvhItems_, "tree", bvh.items);
+    view.bvhTriangles = copy(bvhTriangles_, "tree", itemTriangles(flat, bvh.items));
+  }
+
+  Backend& backend_;
+  Buffer<Quad> quads_;
+  Buffer<Sphere> spheres_;
+  Buffer<Triangle> triangles_;
+  Buffer<std::uint32_t> material_;
+  Buffer<std::int32_t> lightOf_;
+  Buffer<Layer> layers_;
+  Buffer<Material> materials_;
+  Buffer<Light> lights_;
+  Buffer<Real> lightCdf_;
+  Buffer<KdNode> nodes_;
+  Buffer<KdLeaf> leaves_;
+  Buffer<std::uint32_t> references_;
+  Buffer<BvhNode<bvhWidth>> bvhNodes_;
+  Buffer<std::uint32_t> bvhItems_;
+  Buffer<Triangle> bvhTriangles_;
+  DeviceInstances<Backend> instances_;
+};
+
+}  // namespace ropelight::RL_TARGET
