@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "accel/bvh/bvh.h"
-#include "render/flatten/flatten.h"
+#include "render/flat/flat_scene.h"
 
 namespace ropelight {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "accel/photon_grid/photon_grid.h"
-#include "render/flatten/flatten.h"
+#include "render/scene/bounds.h"
 
 namespace ropelight::RL_TARGET {
 

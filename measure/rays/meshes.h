@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "render/flatten/flatten.h"
+#include "render/flat/flat_scene.h"
 
 namespace ropelight {
 

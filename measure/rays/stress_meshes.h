@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/flatten/flatten.h"
+#include "render/flat/flat_scene.h"
 
 namespace ropelight {
 

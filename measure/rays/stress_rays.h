@@ -7,7 +7,7 @@
 
 #include "accel/kdtree/kd_tree.h"
 #include "measure/streams/ray_stream.h"
-#include "render/flatten/flatten.h"
+#include "render/flat/flat_scene.h"
 
 namespace ropelight {
 

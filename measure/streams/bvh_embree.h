@@ -4,7 +4,7 @@
 #include <limits>
 #include <memory>
 
-#include "render/flatten/flatten.h"
+#include "render/flat/flat_scene.h"
 
 namespace ropelight {
 

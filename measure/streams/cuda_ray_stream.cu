@@ -1,5 +1,5 @@
 #include "render/backend/cuda_backend.h"
-
+// its driver, on that backend:
 #include "measure/streams/ray_stream_impl.h"
 
 namespace ropelight::cuda {

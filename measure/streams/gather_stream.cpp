@@ -1,8 +1,9 @@
 #include "measure/streams/gather_stream.h"
 
 #include "render/backend/cpu_backend.h"
-
+// its driver, on that backend:
 #include "measure/streams/gather_stream_impl.h"
+
 
 namespace ropelight {
 

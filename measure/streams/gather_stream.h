@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "render/backend/devices.h"
-#include "render/flatten/flatten.h"
 #include "render/integrators/integrator.h"
+#include "render/scene/bounds.h"
 
 namespace ropelight {
 

@@ -1,8 +1,9 @@
 #include "measure/streams/ray_stream.h"
 
 #include "measure/streams/embree_stream.h"
-#include "render/backend/cpu_backend.h"
 
+#include "render/backend/cpu_backend.h"
+// its driver, on that backend:
 #include "measure/streams/ray_stream_impl.h"
 
 namespace ropelight {

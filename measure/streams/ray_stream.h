@@ -10,7 +10,7 @@
 #include "accel/bvh/bvh.h"
 #include "accel/kdtree/kd_tree.h"
 #include "render/backend/devices.h"
-#include "render/flatten/flatten.h"
+#include "render/flat/flat_scene.h"
 #include "render/integrators/integrator.h"
 
 namespace ropelight {

@@ -93,8 +93,8 @@ class RayStreamOn final : public RayStream {
 
   static const char* name(Traversal traversal) { return traversals[std::size_t(traversal)].name; }
 
-  static Prepared prepared(const StreamScene& scene) {
-    Prepared p;
+  static SceneStructures prepared(const StreamScene& scene) {
+    SceneStructures p;
     p.flat = scene.flat;
     p.tree = scene.tree;
     if (scene.tree) p.features |= feature::tree;

@@ -14,11 +14,11 @@
 #include <memory>
 #include <vector>
 
+#include "render/backend/devices.h"
 #include "render/backend/ledger.h"
 #include "render/backend/tally.h"
 #include "render/core/radix_sort.h"
 #include "render/core/span.h"
-#include "render/integrators/integrator.h"
 
 namespace ropelight::RL_TARGET {
 

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "render/backend/cuda_check.h"
+#include "render/backend/devices.h"
 #include "render/backend/ledger.h"
 #include "render/backend/tally.h"
 #include "render/core/span.h"
-#include "render/integrators/integrator.h"
 
 namespace ropelight::cuda {
 

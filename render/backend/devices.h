@@ -1,12 +1,31 @@
 #pragma once
 // Which devices there are and which one is taken.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "render/integrators/integrator.h"
-
 namespace ropelight {
+
+/// A usable device, or why it cannot be used.
+struct DeviceInfo {
+  std::string backend;  ///< cpu or cuda
+  int index = 0;        ///< of the GPU; 0 for the CPU
+  std::string name;
+  std::uint64_t memory = 0;  ///< bytes
+  bool usable = false;
+  std::string note;  ///< driver and runtime versions, or why it is not usable
+};
+
+/// The CPU first, then every GPU that the driver names. Never throws for a missing driver or device.
+std::vector<DeviceInfo> listDevices();
+
+struct BackendChoice {
+  std::string backend = "auto";  ///< auto, cuda or cpu
+  int gpu = -1;                  ///< index; −1: the first usable one
+  int threads = 0;               ///< CPU threads; 0: all cores
+  bool stageTimes = false;       ///< time every stage on a GPU too, at the cost of a synchronisation each
+};
 
 DeviceInfo cpuDevice(int threads);
 /// Empty where the program was built without CUDA; one unusable entry where the driver is missing or too old.

@@ -1,7 +1,7 @@
 #pragma once
 // Flat primitives and ellipsoids as the search for surfaces at the same place sees them.
 
-#include "render/flatten/flatten.h"
+#include "render/flat/flat_scene.h"
 
 namespace ropelight {
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "render/integrators/integrator.h"
 #include "render/kernels/commit.h"
 #include "render/kernels/frame_view.h"
 #include "render/kernels/resolve.h"

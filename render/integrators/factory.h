@@ -1,6 +1,7 @@
 #pragma once
 // One maker for every backend × mode × kernel row; each is instantiated in a translation unit of its own.
 
+#include "render/integrators/integrator.h"
 #include "render/kernels/variants.h"
 #include "render/prepare/prepare.h"
 

@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "render/backend/devices.h"
 #include "render/film/image.h"
+#include "render/kernels/photon_point.h"
+#include "render/prepare/shared_scene.h"
 #include "render/scene/scene.h"
 #include "render/settings/settings.h"
 
@@ -41,14 +44,6 @@ struct Stats {
   std::map<std::string, std::uint64_t> bytes;     ///< device memory by purpose
   std::map<std::string, std::uint64_t> launches;  ///< stage name → times launched since reset
   std::map<std::string, double> stageSeconds;     ///< stage name → seconds, where measured
-};
-
-/// A photon as a vertex buffer holds it, in the frame of Integrator::frameOrigin.
-struct PhotonPoint {
-  float position[3];
-  float flux[3];          ///< watts
-  std::uint32_t bounce;   ///< edges of its path from the light; 1: direct
-  std::uint32_t caustic;  ///< 1 where the light reached it through specular bounces alone, at least one
 };
 
 struct KdTree;
@@ -89,31 +84,6 @@ class Integrator {
   /// Index of the GPU whose memory it uses; −1: host memory.
   virtual int gpu() const = 0;
 };
-
-/// A usable device, or why it cannot be used.
-struct DeviceInfo {
-  std::string backend;  ///< cpu or cuda
-  int index = 0;        ///< of the GPU; 0 for the CPU
-  std::string name;
-  std::uint64_t memory = 0;  ///< bytes
-  bool usable = false;
-  std::string note;  ///< driver and runtime versions, or why it is not usable
-};
-
-/// The CPU first, then every GPU that the driver names. Never throws for a missing driver or device.
-std::vector<DeviceInfo> listDevices();
-
-struct BackendChoice {
-  std::string backend = "auto";  ///< auto, cuda or cpu
-  int gpu = -1;                  ///< index; −1: the first usable one
-  int threads = 0;               ///< CPU threads; 0: all cores
-  bool stageTimes = false;       ///< time every stage on a GPU too, at the cost of a synchronisation each
-};
-
-/// What integrators of one scene may share: its flat form, and the trees built so far (the latest few). Any thread may
-/// use it.
-class SceneCache;
-std::shared_ptr<SceneCache> makeSceneCache(const Scene& scene);
 
 /// The mode names that makeIntegrator takes, in menu order.
 std::vector<std::string> modeNames();

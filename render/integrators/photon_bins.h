@@ -9,11 +9,6 @@
 
 namespace ropelight::RL_TARGET {
 
-/// Cells of the table for that many photons: about twice as many, a power of two.
-inline std::uint32_t tableFor(std::uint64_t photons) {
-  return std::uint32_t(std::bit_ceil(std::clamp<std::uint64_t>(2 * photons, 1u << 16, 1u << 26)));
-}
-
 template <class Backend>
 class PhotonBins {
  public:

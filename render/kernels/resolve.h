@@ -3,8 +3,8 @@
 
 #include "accel/photon_grid/photon_grid.h"
 #include "render/backend/tally.h"
-#include "render/integrators/integrator.h"
 #include "render/kernels/frame_view.h"
+#include "render/kernels/photon_point.h"
 
 namespace ropelight::RL_TARGET {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "render/flatten/flatten.h"
+#include "render/scene/bounds.h"
 
 namespace ropelight {
 namespace {

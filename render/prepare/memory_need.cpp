@@ -10,7 +10,7 @@
 #include "render/core/bytes.h"
 #include "render/core/error.h"
 #include "render/film/image.h"
-#include "render/integrators/photon_map.h"
+#include "render/kernels/photon_plan.h"
 #include "render/kernels/trace_camera.h"
 
 namespace ropelight {

@@ -3,22 +3,20 @@
 
 #include <optional>
 
+#include "render/backend/devices.h"
 #include "render/prepare/scene_cache.h"
+#include "render/settings/settings.h"
+#include "render/upload/structures.h"
 
 namespace ropelight {
 
-struct Prepared {
-  std::shared_ptr<const FlatScene> flat;
+/// A scene made ready for a backend, with the settings resolved.
+struct Prepared : SceneStructures {
   CameraDesc camera;  ///< in the flat scene's frame
   FilmDesc film;
-  Settings requested;  ///< as given
-  Settings settings;   ///< resolved: no zero that means 'automatic' is left
-  FeatureBits features = 0;
-  std::shared_ptr<const KdTree> tree;                    ///< null without feature::tree
-  std::shared_ptr<const Bvh<2>> bvh;                     ///< null without feature::bvh
-  std::shared_ptr<const std::vector<KdTree>> meshTrees;  ///< one a mesh that is kept once; null without feature::tree
-  std::shared_ptr<const std::vector<Bvh<2>>> meshBvhs;   ///< likewise without feature::bvh
-  BackendChoice backend;                                 ///< its gpu is the one taken
+  Settings requested;     ///< as given
+  Settings settings;      ///< resolved: no zero that means 'automatic' is left
+  BackendChoice backend;  ///< its gpu is the one taken
   bool onGpu = false;
 };
 

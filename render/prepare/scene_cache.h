@@ -8,7 +8,7 @@
 #include "accel/bvh/build.h"
 #include "accel/kdtree/builder/build.h"
 #include "render/flatten/flatten.h"
-#include "render/integrators/integrator.h"
+#include "render/prepare/shared_scene.h"
 
 namespace ropelight {
 

@@ -1,8 +1,8 @@
+#include "render/scene/ellipsoid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
-
-#include "render/flatten/flatten.h"
 
 namespace ropelight {
 

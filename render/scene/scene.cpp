@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "render/core/error.h"
-#include "render/flatten/flatten.h"
+#include "render/scene/bounds.h"
 #include "render/scene/transform.h"
 
 namespace ropelight {

@@ -2,7 +2,7 @@
 // A flat scene on a backend, rounded to its scalar. What the scene lacks is not allocated.
 
 #include "accel/bvh/build.h"
-#include "render/prepare/prepare.h"
+#include "render/upload/structures.h"
 #include "render/upload/upload_instances.h"
 
 namespace ropelight::RL_TARGET {
@@ -39,7 +39,7 @@ class DeviceScene {
   template <class T>
   using Buffer = typename Backend::template Buffer<T>;
 
-  DeviceScene(Backend& backend, const Prepared& p) : backend_(backend) {
+  DeviceScene(Backend& backend, const SceneStructures& p) : backend_(backend) {
     const FlatScene& flat = *p.flat;
     view.quads = convert(quads_, "quads", flat.quads);
     view.spheres = convert(spheres_, "spheres", flat.spheres);

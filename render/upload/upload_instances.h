@@ -3,7 +3,7 @@
 
 #include "accel/bvh/build.h"
 #include "render/intersection/scene_view.h"
-#include "render/prepare/prepare.h"
+#include "render/upload/structures.h"
 
 namespace ropelight::RL_TARGET {
 
@@ -43,7 +43,7 @@ class DeviceInstances {
   using Buffer = typename Backend::template Buffer<T>;
 
   /// Fills the view's instances and meshes; nothing where the scene has none.
-  void upload(Backend& backend, const Prepared& p, SceneView& view) {
+  void upload(Backend& backend, const SceneStructures& p, SceneView& view) {
     const FlatScene& flat = *p.flat;
     if (flat.instances.empty()) return;
     std::vector<Instance> instances;
@@ -96,7 +96,7 @@ class DeviceInstances {
     triangles.copyTo(backend, triangles_, [&](std::size_t m, auto part) { meshes[m].triangles = part; });
   }
 
-  void uploadTrees(Backend& backend, const Prepared& p, std::vector<MeshView>& meshes) {
+  void uploadTrees(Backend& backend, const SceneStructures& p, std::vector<MeshView>& meshes) {
     Joined<KdNode> nodes;
     Joined<KdLeaf> leaves;
     Joined<std::uint32_t> references;
@@ -113,7 +113,7 @@ class DeviceInstances {
     references.copyTo(backend, references_, [&](std::size_t m, auto part) { meshes[m].tree.references = part; });
   }
 
-  void uploadBvhs(Backend& backend, const Prepared& p, std::vector<MeshView>& meshes) {
+  void uploadBvhs(Backend& backend, const SceneStructures& p, std::vector<MeshView>& meshes) {
     Joined<BvhNode<bvhWidth>> nodes;
     Joined<Triangle> triangles;
     for (std::size_t m = 0; m < meshes.size(); ++m) {

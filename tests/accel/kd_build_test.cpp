@@ -7,6 +7,7 @@
 
 #include "accel/kdtree/builder/build.h"
 #include "accel/kdtree/builder/clip.h"
+#include "render/flatten/flatten.h"
 #include "tests/scenes/geometry_scenes.h"
 
 using namespace ropelight;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "render/flatten/flatten.h"
 #include "render/intersection/intersect.h"
 #include "tests/scenes/adversarial_rays.h"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/coincidence/coincident.h"
+#include "render/flatten/flatten.h"
 #include "render/scene/transform.h"
 #include "tests/oracle/scenes.h"
 #include "tests/scenes/coincident_scenes.h"

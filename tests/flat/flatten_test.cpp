@@ -1,6 +1,7 @@
 // Scenes as flat primitives: orientation, areas, bounds, lights and features.
 
 #include "render/flatten/flatten.h"
+#include "render/prepare/prepare.h"
 
 #include <doctest/doctest.h>
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/flatten/flatten.h"
 #include "render/flatten/instances.h"
 #include "render/kernels/variants.h"
 #include "render/prepare/scene_cache.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "render/flatten/flatten.h"
 #include "render/intersection/intersect.h"
 #include "render/kernels/frame_view.h"
 #include "tests/scenes/adversarial_rays.h"

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "render/flatten/flatten.h"
 #include "render/import/obj/obj.h"
 #include "render/intersection/intersect.h"
 #include "tests/scenes/host_scene.h"

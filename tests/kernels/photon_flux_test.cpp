@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "render/flatten/flatten.h"
 #include "render/kernels/trace_photons.h"
 #include "tests/scenes/host_scene.h"
 #include "tests/support/rendering.h"

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "render/flatten/flatten.h"
 #include "render/light/lights.h"
 #include "tests/scenes/host_scene.h"
 #include "tests/support/chi_square.h"

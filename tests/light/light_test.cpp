@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "render/light/lights.h"
+#include "render/scene/ellipsoid.h"
 #include "tests/scenes/host_scene.h"
 #include "tests/support/chi_square.h"
 #include "tests/support/test_random.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "accel/bvh/build.h"
+#include "render/flatten/flatten.h"
 #include "tests/scenes/geometry_scenes.h"
 
 namespace ropelight {

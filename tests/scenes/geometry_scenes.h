@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "render/flatten/flatten.h"
 #include "tests/scenes/host_scene.h"
 #include "tests/support/test_random.h"
 

@@ -65,21 +65,21 @@ class HostScene {
   const FlatScene& flat() const { return *prepared_.flat; }
   const KdTree& tree() const { return *prepared_.tree; }
   const Bvh<2>& bvh() const { return *prepared_.bvh; }
-  const Prepared& parts() const { return prepared_; }
+  const SceneStructures& parts() const { return prepared_; }
   const std::map<std::string, std::uint64_t>& bytes() const { return backend_.ledger().bytes(); }
 
  private:
-  explicit HostScene(Prepared p) : prepared_(std::move(p)), backend_(BackendChoice{}), device_(backend_, prepared_) {}
+  explicit HostScene(SceneStructures p) : prepared_(std::move(p)), backend_(BackendChoice{}), device_(backend_, prepared_) {}
 
-  static Prepared prepared(const FlatScene& flat) {
-    Prepared p;
+  static SceneStructures prepared(const FlatScene& flat) {
+    SceneStructures p;
     p.flat = std::make_shared<FlatScene>(flat);
     p.features = feature::all & ~(feature::tree | feature::shortStack | feature::bvh);
     return p;
   }
 
-  static Prepared withTrees(const FlatScene& flat, const KdConfig& config, bool shortStack) {
-    Prepared p = prepared(flat);
+  static SceneStructures withTrees(const FlatScene& flat, const KdConfig& config, bool shortStack) {
+    SceneStructures p = prepared(flat);
     p.features |= feature::tree | (shortStack ? feature::shortStack : 0);
     p.tree = std::make_shared<KdTree>(buildKdTree(flat, config));
     std::vector<KdTree> meshes;
@@ -88,8 +88,8 @@ class HostScene {
     return p;
   }
 
-  static Prepared withHierarchies(const FlatScene& flat, const BvhConfig& config) {
-    Prepared p = prepared(flat);
+  static SceneStructures withHierarchies(const FlatScene& flat, const BvhConfig& config) {
+    SceneStructures p = prepared(flat);
     p.features |= feature::bvh;
     p.bvh = std::make_shared<Bvh<2>>(buildBvh(flat, config));
     std::vector<Bvh<2>> meshes;
@@ -98,7 +98,7 @@ class HostScene {
     return p;
   }
 
-  Prepared prepared_;
+  SceneStructures prepared_;
   cpu::Backend backend_;
   cpu::DeviceScene<cpu::Backend> device_;
 };

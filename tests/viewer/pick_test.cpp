@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/viewer/camera/pick.h"
+#include "render/flatten/flatten.h"
 #include "render/intersection/intersect.h"
 #include "tests/scenes/geometry_scenes.h"
 #include "tests/scenes/host_scene.h"

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "accel/kdtree/kd_tree.h"
-#include "render/flatten/flatten.h"
+#include "render/flat/flat_scene.h"
 
 namespace ropelight {
 

@@ -3,7 +3,7 @@
 // Shooting"; Wald & Havran 2006).
 
 #include "accel/kdtree/builder/item.h"
-#include "render/flatten/flatten.h"
+#include "render/flat/flat_scene.h"
 
 namespace ropelight {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/flatten/flatten.h"
+#include "render/scene/bounds.h"
 #include "render/scene/scene.h"
 
 namespace ropelight::view {

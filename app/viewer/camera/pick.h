@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "render/flatten/flatten.h"
+#include "render/scene/bounds.h"
 #include "render/scene/scene.h"
 
 namespace ropelight::view {

@@ -9,7 +9,6 @@
 #include "app/viewer/draw/display_cuda.h"
 #include "app/viewer/draw/false_colour.h"
 #include "app/viewer/draw/picture_copy.h"
-#include "app/viewer/panel/panel.h"
 
 namespace ropelight::view {
 namespace {

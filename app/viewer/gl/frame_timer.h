@@ -10,6 +10,13 @@
 
 namespace ropelight::view {
 
+/// Cost of showing a frame, milliseconds, medians over the latest frames.
+struct DisplayTimes {
+  double upload = 0;  ///< pixels into the texture, GPU time where it can be measured
+  double draw = 0;    ///< the picture, GPU time
+  double cpu = 0;     ///< both, as the CPU saw them
+};
+
 void releaseQuery(GLuint name);
 
 /// The median of the latest 120 values.

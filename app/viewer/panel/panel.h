@@ -6,18 +6,12 @@
 #include <vector>
 
 #include "app/viewer/camera/camera_control.h"
+#include "app/viewer/gl/frame_timer.h"
 #include "app/viewer/session/renderer.h"
 #include "app/viewer/state/actions.h"
 #include "app/viewer/state/view_state.h"
 
 namespace ropelight::view {
-
-/// Cost of showing a frame, milliseconds, medians over the latest frames.
-struct DisplayTimes {
-  double upload = 0;  ///< pixels into the texture, GPU time where it can be measured
-  double draw = 0;    ///< the picture, GPU time
-  double cpu = 0;     ///< both, as the CPU saw them
-};
 
 /// What the panel shows and edits.
 struct PanelContext {

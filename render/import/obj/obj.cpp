@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "render/core/error.h"
-#include "render/flatten/flatten.h"
 #include "render/import/obj/obj_text.h"
 #include "render/polygon/polygon.h"
+#include "render/scene/bounds.h"
 #include "render/text/decimal.h"
 #include "render/text/text_file.h"
 

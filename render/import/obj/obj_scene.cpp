@@ -1,8 +1,8 @@
 #include "render/import/obj/obj_scene.h"
 
 #include "render/core/error.h"
-#include "render/flatten/flatten.h"
 #include "render/import/obj/obj.h"
+#include "render/scene/bounds.h"
 #include "render/scene/transform.h"
 
 namespace ropelight {
