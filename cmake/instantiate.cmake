@@ -1,26 +1,34 @@
-# The integrators' drivers are templates. Each mode × kernel row × backend is instantiated in a translation unit of its
-# own, so that they build in parallel and no unit takes minutes. The lists are those of variants.h.
-set(ROPELIGHT_VARIANTS "${PROJECT_SOURCE_DIR}/render/kernels/variants.h")
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${ROPELIGHT_VARIANTS}")
+# Stages that depend on the scene are compiled once for each kernel row and backend, each in a translation unit of its
+# own, so that they build in parallel and no unit takes minutes. The lists are those of render/launch/.
+set(ROPELIGHT_ROW_LIST "${PROJECT_SOURCE_DIR}/render/launch/rows.h")
+set(ROPELIGHT_STAGE_LIST "${PROJECT_SOURCE_DIR}/render/launch/stages.h")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${ROPELIGHT_ROW_LIST}" "${ROPELIGHT_STAGE_LIST}")
 
-# Sets `result` to the words of an X-macro: "#define RL_MODES(X) X(ray) X(path)" gives ray;path.
-function(ropelight_words macro result)
-  file(STRINGS "${ROPELIGHT_VARIANTS}" line REGEX "^#define ${macro}\\(X\\)")
-  string(REGEX MATCHALL "X\\([a-z_0-9]+\\)" words "${line}")
+# Sets `result` to the entries of an X-macro: "#define RL_ROWS(X) X(basic) X(mesh)" gives basic;mesh. Of an entry with
+# two words both are kept: "TraceCamera trace_camera".
+function(ropelight_words file macro result)
+  file(READ "${file}" text)
+  string(REGEX REPLACE "\\\\\n" "" text "${text}")
+  string(REGEX MATCH "#define ${macro}\\(X\\)[^\n]*" line "${text}")
+  string(REGEX MATCHALL "X\\([A-Za-z_0-9]+[^)]*\\)" words "${line}")
   list(TRANSFORM words REPLACE "X\\((.*)\\)" "\\1")
+  list(TRANSFORM words REPLACE ", *" " ")
+  list(REMOVE_ITEM words X)
   if(NOT words)
-    message(FATAL_ERROR "${ROPELIGHT_VARIANTS} has no line '#define ${macro}(X) X(name) …'")
+    message(FATAL_ERROR "${file} has no list '#define ${macro}(X) X(name) …'")
   endif()
   set(${result} "${words}" PARENT_SCOPE)
 endfunction()
 
 # Adds the translation units of one backend (cpu, cuda) with the given file extension (cpp, cu) to the target.
 function(ropelight_instantiate target backend extension)
-  ropelight_words(RL_MODES modes)
-  ropelight_words(RL_ROWS rows)
-  foreach(mode IN LISTS modes)
+  ropelight_words("${ROPELIGHT_STAGE_LIST}" RL_STAGES stages)
+  ropelight_words("${ROPELIGHT_ROW_LIST}" RL_ROWS rows)
+  foreach(entry IN LISTS stages)
+    string(REGEX REPLACE " .*" "" stage "${entry}")
+    string(REGEX REPLACE ".* " "" header "${entry}")
     foreach(row IN LISTS rows)
-      set(output "${PROJECT_BINARY_DIR}/instantiate/${backend}_${mode}_${row}.${extension}")
+      set(output "${PROJECT_BINARY_DIR}/instantiate/${backend}_${stage}_${row}.${extension}")
       configure_file("${PROJECT_SOURCE_DIR}/cmake/instantiate.cpp.in" "${output}" @ONLY)
       target_sources(${target} PRIVATE "${output}")
     endforeach()

@@ -6,14 +6,14 @@
 
 namespace ropelight::RL_TARGET {
 
-template <class Backend, FeatureBits F>
+template <class Backend>
 class AovIntegrator final : public IntegratorBase<Backend> {
  public:
   explicit AovIntegrator(const Prepared& p) : IntegratorBase<Backend>(p) {}
 
  protected:
   void iterate(std::uint64_t) override {
-    this->backend_.forEach(this->frame_.slots(), TraceAov<F>{this->frame_, kind(), this->radiance_.span()});
+    this->run(this->frame_.slots(), TraceAovArgs{this->frame_, kind(), this->radiance_.span()});
     this->commit();
   }
 

@@ -7,7 +7,7 @@
 #include "render/kernels/commit.h"
 #include "render/kernels/frame_view.h"
 #include "render/kernels/resolve.h"
-#include "render/kernels/variants.h"
+#include "render/launch/launch.h"
 #include "render/prepare/advice.h"
 #include "render/prepare/prepare.h"
 #include "render/upload/upload.h"
@@ -113,7 +113,7 @@ class IntegratorBase : public Integrator {
     s.photonsStored = state_.stored;
     s.regrown = regrown_;
     s.accel = prepared_.settings.accel;
-    s.kernelRow = rowFor(prepared_.features).name;
+    s.kernelRow = kernelRows[row_].name;
     s.features = prepared_.features;
     s.device = backend_.device().name;
     s.settings = prepared_.settings;
@@ -165,10 +165,17 @@ class IntegratorBase : public Integrator {
     backend_.forEach(1, EndIteration{stateBuffer_.span()});
   }
 
+  /// Runs a stage of which every kernel row has its own.
+  template <class Args>
+  void run(std::uint32_t n, const Args& args) {
+    launch(backend_, row_, n, args);
+  }
+
   /// What the camera and the settings decide.
   void configure() {
     const Settings& s = prepared_.settings;
     advice_ = adviceOn(prepared_);
+    row_ = rowFor(prepared_.features);
     frame_.camera = makeCamera(prepared_.camera, s.width, s.height);
     frame_.width = s.width;
     frame_.height = s.height;
@@ -204,6 +211,7 @@ class IntegratorBase : public Integrator {
   double seconds_ = 0;
   std::uint64_t regrown_ = 0;
   std::vector<std::string> advice_;
+  int row_ = 0;  ///< of kernelRows
 };
 
 }  // namespace ropelight::RL_TARGET

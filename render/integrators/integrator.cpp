@@ -6,33 +6,17 @@
 
 #include "render/backend/devices.h"
 #include "render/core/error.h"
-#include "render/integrators/factory.h"
+#include "render/prepare/prepare.h"
 
 namespace ropelight {
-namespace {
 
-struct MakerRow {
-  const char* mode;
-  const char* row;
-  Maker cpu;
-  Maker cuda;
-};
-
-#if ROPELIGHT_CUDA
-#define RL_MAKER(mode, row) MakerRow{#mode, #row, cpu::make_##mode##_##row, cuda::make_##mode##_##row},
-#else
-#define RL_MAKER(mode, row) MakerRow{#mode, #row, cpu::make_##mode##_##row, nullptr},
-#endif
-#define RL_MAKER_ROWS(mode) RL_MAKER(mode, basic) RL_MAKER(mode, mesh) RL_MAKER(mode, full) RL_MAKER(mode, coincident)
-
-const MakerRow makers[] = {RL_MODES(RL_MAKER_ROWS)};
-
-const MakerRow& makerFor(const std::string& mode, const std::string& row) {
-  return *std::find_if(std::begin(makers), std::end(makers),
-                       [&](const MakerRow& m) { return mode == m.mode && row == m.row; });
+// Each backend's are compiled apart; those in cuda are there only where it is built.
+namespace cpu {
+std::unique_ptr<Integrator> makePrepared(const Prepared& prepared);
 }
-
-}  // namespace
+namespace cuda {
+std::unique_ptr<Integrator> makePrepared(const Prepared& prepared);
+}
 
 std::vector<std::string> modeNames() {
   std::vector<std::string> names;
@@ -50,8 +34,10 @@ std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& s
   resolvedChoice.gpu = chosen.gpu;
   if (!cache) cache = makeSceneCache(scene);
   Prepared const prepared = prepare(scene, settings, resolvedChoice, chosen.cuda, *cache);
-  const MakerRow& maker = makerFor(integratorName(prepared.settings), rowFor(prepared.features).name);
-  return (chosen.cuda ? maker.cuda : maker.cpu)(prepared);
+#if ROPELIGHT_CUDA
+  if (chosen.cuda) return cuda::makePrepared(prepared);
+#endif
+  return cpu::makePrepared(prepared);
 }
 
 }  // namespace ropelight

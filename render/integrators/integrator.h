@@ -38,7 +38,7 @@ struct Stats {
   int treeDepth = 0;
   double treeSeconds = 0;  ///< to build it
   double treeCost = 0;     ///< SAH cost in primitive tests
-  std::string kernelRow;   ///< the row of variants.h in use
+  std::string kernelRow;   ///< the row of rows.h in use
   std::string device;
   FeatureBits features = 0;
   std::map<std::string, std::uint64_t> bytes;     ///< device memory by purpose

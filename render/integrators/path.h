@@ -6,14 +6,14 @@
 
 namespace ropelight::RL_TARGET {
 
-template <class Backend, FeatureBits F>
+template <class Backend>
 class PathIntegrator final : public IntegratorBase<Backend> {
  public:
   explicit PathIntegrator(const Prepared& p) : IntegratorBase<Backend>(p) {}
 
  protected:
   void iterate(std::uint64_t) override {
-    this->backend_.forEach(this->frame_.slots(), TracePath<F>{this->frame_, this->radiance_.span()});
+    this->run(this->frame_.slots(), TracePathArgs{this->frame_, this->radiance_.span()});
     this->commit();
   }
 };

@@ -7,10 +7,11 @@
 #include "render/integrators/photon_bins.h"
 #include "render/kernels/photon_plan.h"
 #include "render/kernels/trace_photons.h"
+#include "render/launch/launch.h"
 
 namespace ropelight::RL_TARGET {
 
-template <class Backend, FeatureBits F>
+template <class Backend>
 class PhotonMap {
  public:
   template <class T>
@@ -34,16 +35,16 @@ class PhotonMap {
     bins_.release();
   }
 
-  /// Traces paths [first, first + count) and leaves them in grid().
-  void build(Backend& backend, const FrameView& frame, Buffer<IterationState>& state, std::uint64_t first,
+  /// Traces paths [first, first + count) in a kernel row and leaves their photons in grid().
+  void build(Backend& backend, int row, const FrameView& frame, Buffer<IterationState>& state, std::uint64_t first,
              std::uint32_t count, Real pathsPerIteration, const FlatScene& scene, Real cellSize) {
     PhotonStore const store = storeFor(count, state);
-    backend.forEach(count, TracePhotons<F>{frame, store, first, pathsPerIteration});
+    launch(backend, row, count, TracePhotonsArgs{frame, store, first, pathsPerIteration});
     backend.exclusiveScan(counts_, offsets_, count);
     backend.forEach(count, ListLongPaths{store});
     backend.forEach(1, CheckRoom{store});
     std::uint32_t const tails = std::min(count, plan_.tailCapacity);
-    backend.forEach(tails, TraceTails<F>{frame, store, first, pathsPerIteration});
+    launch(backend, row, tails, TraceTailsArgs{frame, store, first, pathsPerIteration});
     bins_.layOut(scene.bounds, double(cellSize), plan_.tableSize);
     backend.forEach(count, WriteKeys{store, grid()});
     backend.forEach(plan_.photonCapacity, PadKeys{store, grid().cells});

@@ -7,7 +7,7 @@
 
 namespace ropelight::RL_TARGET {
 
-template <class Backend, FeatureBits F>
+template <class Backend>
 class SppmIntegrator final : public IntegratorBase<Backend> {
   using Base = IntegratorBase<Backend>;
   template <class T>
@@ -53,7 +53,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   }
 
   void iterate(std::uint64_t i) override {
-    this->backend_.forEach(this->frame_.slots(), TraceCamera<F>{this->frame_, this->radiance_.span(), points_.span()});
+    this->run(this->frame_.slots(), TraceCameraArgs{this->frame_, this->radiance_.span(), points_.span()});
     if (hasPhotons()) gatherPhotons(i);
     this->commit();
   }
@@ -106,8 +106,8 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     for (std::uint32_t chunk = 0; chunk < plan.chunks; ++chunk) {
       std::uint64_t const first = std::uint64_t(chunk) * plan.paths;
       std::uint32_t const count = std::uint32_t(std::min<std::uint64_t>(plan.paths, s.photons - first));
-      map_.build(this->backend_, this->frame_, this->stateBuffer_, i * s.photons + first, count, Real(s.photons),
-                 *this->prepared_.flat, radius * Real(s.cellSize));
+      map_.build(this->backend_, this->row_, this->frame_, this->stateBuffer_, i * s.photons + first, count,
+                 Real(s.photons), *this->prepared_.flat, radius * Real(s.cellSize));
       gather(radius);
     }
   }
@@ -125,7 +125,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
       this->backend_.forEach(n, GatherRadius{view, points_.view(), this->radiance_.span(), output});
   }
 
-  PhotonMap<Backend, F> map_;
+  PhotonMap<Backend> map_;
   Buffer<GatherPoint> points_;
   Buffer<PhotonPoint> points3d_;  ///< for a window
   std::uint64_t budget_ = 0;

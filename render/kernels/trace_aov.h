@@ -10,14 +10,21 @@ namespace ropelight::RL_TARGET {
 enum class Aov : std::uint8_t { normal, depth, albedo, traversal, tests };
 
 template <FeatureBits F>
-struct TraceAov {
+struct TraceAov;
+
+struct TraceAovArgs {
+  template <FeatureBits F>
+  using Stage = TraceAov<F>;
   static constexpr const char* name = "TraceAov";
   static constexpr std::uint32_t grain = 512;
 
   FrameView frame;
   Aov aov;
   Span<Rgb> film;
+};
 
+template <FeatureBits F>
+struct TraceAov : TraceAovArgs {
   RL_HD void operator()(std::uint32_t slot, Tally& tally) const {
     int x, y;
     film[slot] = Rgb(0.0f);

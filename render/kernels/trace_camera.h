@@ -18,14 +18,21 @@ struct alignas(16) GatherPoint {
 };
 
 template <FeatureBits F>
-struct TraceCamera {
+struct TraceCamera;
+
+struct TraceCameraArgs {
+  template <FeatureBits F>
+  using Stage = TraceCamera<F>;
   static constexpr const char* name = "TraceCamera";
   static constexpr std::uint32_t grain = 512;
 
   FrameView frame;
   Span<Rgb> radiance;
   Span<GatherPoint> points;  ///< empty where no photons are gathered
+};
 
+template <FeatureBits F>
+struct TraceCamera : TraceCameraArgs {
   RL_HD void operator()(std::uint32_t slot, Tally& tally) const {
     int x, y;
     Rgb sum(0.0f);

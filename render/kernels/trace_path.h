@@ -6,13 +6,20 @@
 namespace ropelight::RL_TARGET {
 
 template <FeatureBits F>
-struct TracePath {
+struct TracePath;
+
+struct TracePathArgs {
+  template <FeatureBits F>
+  using Stage = TracePath<F>;
   static constexpr const char* name = "TracePath";
   static constexpr std::uint32_t grain = 256;
 
   FrameView frame;
   Span<Rgb> radiance;
+};
 
+template <FeatureBits F>
+struct TracePath : TracePathArgs {
   RL_HD void operator()(std::uint32_t slot, Tally& tally) const {
     int x, y;
     radiance[slot] = Rgb(0.0f);

@@ -52,7 +52,11 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
 }
 
 template <FeatureBits F>
-struct TracePhotons {
+struct TracePhotons;
+
+struct TracePhotonsArgs {
+  template <FeatureBits F>
+  using Stage = TracePhotons<F>;
   static constexpr const char* name = "TracePhotons";
   static constexpr std::uint32_t grain = 512;
 
@@ -60,7 +64,10 @@ struct TracePhotons {
   PhotonStore store;
   std::uint64_t firstPath = 0;
   Real pathsPerIteration = 1;
+};
 
+template <FeatureBits F>
+struct TracePhotons : TracePhotonsArgs {
   RL_HD void operator()(std::uint32_t path, Tally& tally) const {
     std::uint32_t const count = tracePhotonPath<F>(
         frame, firstPath + path, pathsPerIteration,
@@ -107,7 +114,11 @@ struct CheckRoom {
 
 /// Traces the long paths again for the deposits that had no slot. `i` counts long paths; more threads than those idle.
 template <FeatureBits F>
-struct TraceTails {
+struct TraceTails;
+
+struct TraceTailsArgs {
+  template <FeatureBits F>
+  using Stage = TraceTails<F>;
   static constexpr const char* name = "TraceTails";
   static constexpr std::uint32_t grain = 128;
 
@@ -115,7 +126,10 @@ struct TraceTails {
   PhotonStore store;
   std::uint64_t firstPath = 0;
   Real pathsPerIteration = 1;
+};
 
+template <FeatureBits F>
+struct TraceTails : TraceTailsArgs {
   RL_HD void operator()(std::uint32_t i, Tally& tally) const {
     if (store.state[0].halt || i >= store.offsets[store.paths].longer) return;
     std::uint32_t const path = store.longPaths[i];

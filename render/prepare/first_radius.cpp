@@ -6,6 +6,7 @@
 #include "render/backend/cpu_backend.h"
 #include "render/kernels/gather.h"
 #include "render/kernels/trace_photons.h"
+#include "render/launch/launch.h"
 #include "render/upload/upload.h"
 
 namespace ropelight {
@@ -109,8 +110,8 @@ class Pilot {
     std::vector<GatherPoint> points(frame_.slots());
     FrameView frame = frame_;
     frame.indirectOnly = true;  // no shadow rays: only the places matter
-    backend_.forEach(frame.slots(), TraceCamera<feature::all>{
-                                        frame, {radiance.data(), frame.slots()}, {points.data(), frame.slots()}});
+    launch(backend_, rowFor(prepared_.features), frame.slots(),
+           TraceCameraArgs{frame, {radiance.data(), frame.slots()}, {points.data(), frame.slots()}});
     return points;
   }
 

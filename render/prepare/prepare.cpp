@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "render/core/error.h"
-#include "render/kernels/variants.h"
+#include "render/launch/rows.h"
 #include "render/prepare/first_radius.h"
 #include "render/prepare/memory_need.h"
 #include "render/prepare/structure_choice.h"
@@ -93,7 +93,7 @@ void buildStructures(Prepared& p, SceneCache& cache) {
 
 /// What an integrator was compiled and its scene uploaded for.
 bool sameIntegrator(const Prepared& a, const Prepared& b) {
-  return integratorName(a.settings) == integratorName(b.settings) && &rowFor(a.features) == &rowFor(b.features) &&
+  return integratorName(a.settings) == integratorName(b.settings) && rowFor(a.features) == rowFor(b.features) &&
          a.settings.accel == b.settings.accel &&
          (!(a.features & feature::tree) || treeConfig(a.settings) == treeConfig(b.settings));
 }

@@ -7,7 +7,7 @@
 
 #include "render/flatten/flatten.h"
 #include "render/flatten/instances.h"
-#include "render/kernels/variants.h"
+#include "render/launch/rows.h"
 #include "render/prepare/scene_cache.h"
 #include "tests/scenes/placed_meshes.h"
 
@@ -29,7 +29,7 @@ TEST_CASE("placed meshes count in everything that a scene is asked for") {
   CHECK(flat.light == baked.light);
   CHECK((featuresOf(flat, scene.camera) & (feature::instances | feature::triangles)) == feature::instances);
   CHECK((featuresOf(baked, scene.camera) & (feature::instances | feature::triangles)) == feature::triangles);
-  CHECK(std::string(rowFor(featuresOf(flat, scene.camera)).name) == "full");
+  CHECK(std::string(kernelRows[rowFor(featuresOf(flat, scene.camera))].name) == "full");
   std::uint32_t next = flat.primitiveCount();
   for (std::uint32_t i = 0; i < 12; ++i) {
     CHECK(flat.instances[i].firstHit == next);

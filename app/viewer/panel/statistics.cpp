@@ -66,7 +66,7 @@ void drawMemory(const Stats& stats) {
 }
 
 void drawFeatures(const Stats& stats) {
-  valueRow("kernel row", stats.kernelRow, "the row of render/kernels/variants.h in use");
+  valueRow("kernel row", stats.kernelRow, "the row of render/launch/rows.h in use");
   std::string used, left;
   for (const FeatureName& feature : featureNames) {
     std::string& list = stats.features & feature.bit ? used : left;

@@ -1,12 +1,12 @@
 #pragma once
-// The kernels that are compiled: rows of features, small to large. The first row that covers a scene is taken; the last
-// covers everything, so that correctness never depends on this table.
+// The kernels that are compiled: every stage that depends on the scene, once for each row of features. Rows go from
+// small to large; the first that covers a scene is taken, and the last covers everything, so that correctness never
+// depends on this table.
 
-#include <string>
+#include <iterator>
 
 #include "render/core/features.h"
 
-#define RL_MODES(X) X(ray) X(path) X(sppm) X(aov)
 #define RL_ROWS(X) X(basic) X(mesh) X(full) X(coincident)
 
 namespace ropelight {
@@ -35,10 +35,11 @@ inline constexpr KernelRow kernelRows[] = {
 #undef RL_ROW
 };
 
-inline const KernelRow& rowFor(FeatureBits features) {
-  for (const KernelRow& r : kernelRows)
-    if ((features & ~r.covers) == 0) return r;
-  return kernelRows[std::size(kernelRows) - 1];
+/// Index in kernelRows of the first row that covers these features.
+constexpr int rowFor(FeatureBits features) {
+  for (int i = 0; i < int(std::size(kernelRows)); ++i)
+    if ((features & ~kernelRows[i].covers) == 0) return i;
+  return int(std::size(kernelRows)) - 1;
 }
 
 }  // namespace ropelight

@@ -1,0 +1,3 @@
+#include "render/backend/cpu_backend.h"
+// the drivers, on that backend:
+#include "render/integrators/modes.h"

@@ -1,0 +1,36 @@
+#pragma once
+// The integrators of one backend, by name: a new one is its file, an include and a line here.
+
+#include "render/core/error.h"
+#include "render/integrators/aov.h"
+#include "render/integrators/path.h"
+#include "render/integrators/ray.h"
+#include "render/integrators/sppm.h"
+
+namespace ropelight::RL_TARGET {
+
+template <template <class> class Kind>
+std::unique_ptr<Integrator> make(const Prepared& prepared) {
+  return std::make_unique<Kind<Backend>>(prepared);
+}
+
+struct IntegratorMaker {
+  const char* name;
+  std::unique_ptr<Integrator> (*make)(const Prepared&);
+};
+
+inline constexpr IntegratorMaker integratorMakers[] = {
+    {"ray", make<RayIntegrator>},
+    {"path", make<PathIntegrator>},
+    {"sppm", make<SppmIntegrator>},
+    {"aov", make<AovIntegrator>},
+};
+
+/// The integrator that the settings ask for.
+std::unique_ptr<Integrator> makePrepared(const Prepared& prepared) {
+  for (const IntegratorMaker& maker : integratorMakers)
+    if (integratorName(prepared.settings) == maker.name) return maker.make(prepared);
+  throw Error("no integrator '" + integratorName(prepared.settings) + "'", ExitCode::internal);
+}
+
+}  // namespace ropelight::RL_TARGET

@@ -1,0 +1,17 @@
+#pragma once
+// The body of a generated translation unit, which has included its backend and its stage.
+
+#include "render/launch/launch.h"
+
+namespace ropelight::RL_TARGET {
+
+template <class Args, FeatureBits F>
+void launchRow(Backend& backend, std::uint32_t n, const Args& args) {
+  backend.forEach(n, typename Args::template Stage<F>{args});
+}
+
+}  // namespace ropelight::RL_TARGET
+
+#define RL_INSTANTIATE(stage, rowName)                                                                       \
+  template void ropelight::RL_TARGET::launchRow<ropelight::RL_TARGET::stage##Args, ropelight::row::rowName>( \
+      ropelight::RL_TARGET::Backend&, std::uint32_t, const ropelight::RL_TARGET::stage##Args&);

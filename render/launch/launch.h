@@ -1,0 +1,25 @@
+#pragma once
+// Starts a stage in the kernel row that covers the scene. Every stage x row x backend is a translation unit of its own,
+// which CMake writes, so that drivers are compiled once a backend and no unit takes minutes.
+
+#include "render/launch/rows.h"
+
+namespace ropelight::RL_TARGET {
+
+class Backend;
+
+/// Calls Args::Stage<F> for elements [0, n). Defined in the generated units alone, for every row.
+template <class Args, FeatureBits F>
+void launchRow(Backend& backend, std::uint32_t n, const Args& args);
+
+/// The same in row `row` of kernelRows.
+template <class Args>
+void launch(Backend& backend, int row, std::uint32_t n, const Args& args) {
+  using Launcher = void (*)(Backend&, std::uint32_t, const Args&);
+#define RL_LAUNCHER(name) launchRow<Args, row::name>,
+  static constexpr Launcher launchers[] = {RL_ROWS(RL_LAUNCHER)};
+#undef RL_LAUNCHER
+  launchers[row](backend, n, args);
+}
+
+}  // namespace ropelight::RL_TARGET
