@@ -1,5 +1,7 @@
 #include "render/backend/cuda_backend.h"
 
+#include <cub/device/device_radix_sort.cuh>
+
 #include <algorithm>
 #include <cstdlib>
 

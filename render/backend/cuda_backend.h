@@ -1,9 +1,6 @@
 #pragma once
 // A CUDA device as a backend: one stream, one thread an element, CUB for scans and sorts.
 
-#include <cub/device/device_radix_sort.cuh>
-#include <cub/device/device_scan.cuh>
-
 #include <algorithm>
 #include <atomic>
 #include <type_traits>
@@ -16,13 +13,6 @@
 #include "render/core/span.h"
 
 namespace ropelight::cuda {
-
-struct Plus {
-  template <class T>
-  __host__ __device__ T operator()(const T& a, const T& b) const {
-    return a + b;
-  }
-};
 
 /// Sum over a full warp, valid in lane 0.
 __device__ inline std::uint32_t warpSum(std::uint32_t value) {
@@ -45,8 +35,12 @@ __device__ inline void addToTotals(TallyTotals* totals, const Tally& t) {
   add(&totals->truncated, t.truncated);
 }
 
+inline constexpr int stageThreads = 128;  ///< of a block
+inline constexpr int stageBlocks = 4;     ///< that a multiprocessor holds at once, so that a stage has 128 registers
+
 template <class Stage>
-__global__ void runStage(std::uint32_t n, Stage stage, TallyTotals* totals) {
+__global__ void __launch_bounds__(stageThreads, stageBlocks)
+    runStage(std::uint32_t n, const __grid_constant__ Stage stage, TallyTotals* totals) {
   std::uint32_t const i = blockIdx.x * blockDim.x + threadIdx.x;
   Tally tally;
   if (i < n) stage(i, tally);
@@ -181,7 +175,7 @@ class Backend {
   void forEach(std::uint32_t n, const Stage& stage) {
     if (n == 0 || interrupted()) return;
     ledger_.launched(Stage::name);
-    constexpr std::uint32_t threads = 128;
+    constexpr std::uint32_t threads = stageThreads;
     Timer const timer(*this, Stage::name);
     runStage<<<(n + threads - 1) / threads, threads, 0, stream_>>>(n, stage, totals_.span().data);
     RL_CUDA(cudaGetLastError());
@@ -214,18 +208,10 @@ class Backend {
     RL_CUDA(cudaGetLastError());
   }
 
-  /// out[i] = in[0] + … + in[i−1]; the sum of all goes to out[n]. `in` has room for n elements, out for n + 1.
+  /// out[i] = in[0] + … + in[i−1]; the sum of all goes to out[n]. `in` has room for n elements, out for n + 1. Defined
+  /// in cuda_scan.h, which few units need.
   template <class T>
-  void exclusiveScan(const Buffer<T>& in, Buffer<T>& out, std::uint32_t n) {
-    if (interrupted()) return;
-    ledger_.launched("Scan");
-    Timer const timer(*this, "Scan");
-    RL_CUDA(cudaMemsetAsync(out.span().data, 0, sizeof(T), stream_));
-    std::size_t bytes = 0;
-    RL_CUDA(cub::DeviceScan::InclusiveScan(nullptr, bytes, in.view().data, out.span().data + 1, Plus{}, n, stream_));
-    RL_CUDA(
-        cub::DeviceScan::InclusiveScan(scratch(bytes), bytes, in.view().data, out.span().data + 1, Plus{}, n, stream_));
-  }
+  void exclusiveScan(const Buffer<T>& in, Buffer<T>& out, std::uint32_t n);
 
   /// Sorts pairs by the low `bits` of their keys, stable. keys and values hold the result; the others are scratch, of
   /// the same size, and may trade places with them.

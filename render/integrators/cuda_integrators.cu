@@ -1,3 +1,3 @@
-#include "render/backend/cuda_backend.h"
+#include "render/backend/cuda_scan.h"
 // the drivers, on that backend:
 #include "render/integrators/modes.h"

@@ -39,6 +39,10 @@ RL_HD inline Vec3 apply(const Mat3& m, Vec3 v) {
 struct MeshRay {
   Ray ray;
   Real skipped = 0;
+
+  /// Parameter of the ray up to which hits may come before the parameter t in the world; with room for all that rounds
+  /// to t when `skipped` is added.
+  RL_HD Real limit(Real t) const { return skipped > 0 ? (t - skipped) + 4 * machineEpsilon * t : t; }
 };
 
 /// False where the ray misses the cube [−2, 2]³ around the mesh. It begins at the cube where it begins outside: origins
@@ -84,9 +88,7 @@ RL_HD inline void intersect(Span<const MeshView> meshes, const Instance& instanc
   MeshRay local;
   if (!enterMesh(instance, ray, local) || local.skipped > hit.t) return;
   Hit found;
-  found.t = hit.t;
-  if (local.skipped > 0)  // room for all that rounds to hit.t when `skipped` is added
-    found.t = (hit.t - local.skipped) + 4 * machineEpsilon * hit.t;
+  found.t = local.limit(hit.t);
   auto const counts = [&] {
     return found.found() && hit.improvedBy(local.skipped + found.t, instance.firstHit + found.primitive);
   };

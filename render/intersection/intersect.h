@@ -1,30 +1,9 @@
 #pragma once
 // Closest and any hit of a scene: through the structure that there is, else by testing every primitive.
 
-#include "render/intersection/instance.h"
-#include "render/intersection/scene_view.h"
+#include "render/intersection/two_level.h"
 
 namespace ropelight::RL_TARGET {
-
-/// anyHit: of an instance any triangle will do.
-template <FeatureBits F, bool anyHit = false>
-RL_HD inline void intersectPrimitive(const SceneView& scene, const Ray& ray, const RayShear& shear, std::uint32_t id,
-                                     Hit& hit) {
-  std::uint32_t k = id;
-  if constexpr ((F & feature::quads) != 0) {
-    if (k < scene.quads.size) return intersect(scene.quads[k], ray, shear, id, hit);
-  }
-  k -= scene.quads.size;
-  if constexpr ((F & feature::spheres) != 0) {
-    if (k < scene.spheres.size) return intersect(scene.spheres[k], ray, id, hit);
-  }
-  k -= scene.spheres.size;
-  if constexpr ((F & feature::triangles) != 0) {
-    if ((F & feature::instances) == 0 || k < scene.triangles.size) return intersect(scene.triangles[k], shear, id, hit);
-  }
-  k -= scene.triangles.size;
-  if constexpr ((F & feature::instances) != 0) intersect<F, anyHit>(scene.meshes, scene.instances[k], ray, hit);
-}
 
 /// The primitive of one item of the hierarchy; `ignored` is not tested.
 template <FeatureBits F, bool anyHit = false>
@@ -44,6 +23,12 @@ RL_HD inline void intersectItem(const SceneView& scene, const Ray& ray, const Ra
     std::uint32_t const id = scene.bvh.items[item];
     if (id != ignored) intersectPrimitive<F>(scene, ray, shear, id, hit);
   }
+}
+
+/// A function of its own on a GPU: what its callers keep alive costs it no registers.
+template <FeatureBits F, bool anyHit>
+RL_HD inline Hit traverseTwoLevels(const SceneView& scene, const Ray& ray, std::uint32_t ignored) {
+  return TwoLevelTraversal<F, anyHit>(scene, ray, ignored).run();
 }
 
 /// Every primitive, kind by kind. The reference that every other structure must equal.
@@ -125,6 +110,8 @@ RL_HD inline bool occludedTree(const SceneView& scene, const Ray& ray, std::uint
 
 template <FeatureBits F, int W>
 RL_HD inline Hit closestHitBvh(const SceneView& scene, const BvhView<W>& bvh, const Ray& ray) {
+  if constexpr (W == 2 && bvhWidth == 2 && (F & feature::instances) != 0)
+    return traverseTwoLevels<F, false>(scene, ray, noPrimitive);
   Hit hit;
   hit.t = ray.tMax;
   RayShear const shear(ray);
@@ -135,6 +122,8 @@ RL_HD inline Hit closestHitBvh(const SceneView& scene, const BvhView<W>& bvh, co
 
 template <FeatureBits F, int W>
 RL_HD inline bool occludedBvh(const SceneView& scene, const BvhView<W>& bvh, const Ray& ray, std::uint32_t ignored) {
+  if constexpr (W == 2 && bvhWidth == 2 && (F & feature::instances) != 0)
+    return traverseTwoLevels<F, true>(scene, ray, ignored).found();
   Hit hit;
   hit.t = ray.tMax;
   RayShear const shear(ray);

@@ -12,9 +12,17 @@
 namespace ropelight::RL_TARGET {
 
 /// A BSDF of any kind; `kind` is its index in Bsdfs.
+/// What a BSDF may scatter, known before it is evaluated.
+namespace lobe {
+inline constexpr std::uint32_t specular = 1;  ///< in single directions alone: nothing to gather or to sample lights for
+}
+
 struct Material {
-  std::uint32_t kind = 0;
+  std::uint16_t kind = 0;
+  std::uint16_t lobes = 0;  ///< of namespace lobe
   float data[11] = {};
+
+  RL_HD bool specular() const { return (lobes & lobe::specular) != 0; }
 };
 
 /// A diffuse emitter. side: bits of ropelight::Side. pick: probability that light sampling chooses it, ∝ power.
@@ -48,7 +56,7 @@ struct SceneView {
 
 template <class T>
 RL_HD inline bool isKind(const Material& m) {
-  return m.kind == std::uint32_t(Bsdfs::indexOf<T>());
+  return m.kind == Bsdfs::indexOf<T>();
 }
 
 namespace detail {

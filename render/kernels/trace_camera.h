@@ -35,70 +35,95 @@ template <FeatureBits F>
 struct TraceCamera : TraceCameraArgs {
   RL_HD void operator()(std::uint32_t slot, Tally& tally) const {
     int x, y;
-    Rgb sum(0.0f);
-    GatherPoint point{};
+    bool arrived = false;
+    radiance[slot] = Rgb(0.0f);
     if (frame.pixelOf(slot, x, y)) {
       Sampler sampler = frame.cameraSampler(x, y);
       Ray const ray = frame.cameraRay<F>(x, y, sampler);
-      sum = trace(Flight{ray, Hit{}}, sampler, point, tally);
+      arrived = trace(Flight{ray, Hit{}}, sampler, slot, tally);
     }
-    radiance[slot] = sum;
-    if (!points.empty()) points[slot] = point;
+    if (!arrived && !points.empty()) points[slot] = GatherPoint{};
   }
 
  private:
-  RL_HD Rgb trace(Flight flight, Sampler& sampler, GatherPoint& point, Tally& tally) const {
-    Rgb sum(0.0f), throughput(1.0f);
+  /// What a path carries until it arrives at a surface that is not specular.
+  struct Chain {
+    Rgb sum{0.0f}, throughput{1.0f};
     Real radianceScale = 1;
-    for (int edges = 1; edges <= frame.maxDepth; ++edges) {
-      ++tally.rays;
-      Surface s;
-      if (!meet<F>(frame.scene, flight, s)) return sum;
-      Vec3 const back = -flight.ray.direction;
-      if (!frame.indirectOnly && !frame.dark) sum += throughput * emitted(frame.scene, s, back);
-      bool goesOn = false;
-      visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
-        Frame const local(s.n);
-        Vec3 const wo = local.toLocal(back);
-        if constexpr (std::decay_t<decltype(bsdf)>::specular) {
-          goesOn = bounce(bsdf, s, local, wo, sampler, throughput, radianceScale, edges, flight);
-        } else {
-          sum += throughput * arrive(bsdf, s, local, wo, sampler, edges, tally);
-          Vec3 const n = wo.z < 0 ? -s.n : s.n;
-          point = GatherPoint{s.p, std::uint32_t(edges), n, packDirection(n),
-                              throughput * bsdf.eval(wo, Vec3(0, 0, copysign(Real(1), wo.z)))};
-        }
-      });
-      if (!goesOn) return sum;
-    }
-    if (frame.maxDepth == hardDepthLimit) ++tally.truncated;
-    return sum;
+    int edges = 0;
+  };
+
+  /// Whether the path arrived. What comes after the arrival stands outside the loop: within it, the results would hold
+  /// registers while rays are traced.
+  RL_HD bool trace(Flight flight, Sampler& sampler, std::uint32_t slot, Tally& tally) const {
+    Chain chain;
+    Surface s;
+    Vec3 back;
+    bool arrived = follow(flight, sampler, chain, s, back, tally);
+    if (arrived) chain.sum += arrive(s, back, sampler, chain, slot, tally);
+    radiance[slot] = chain.sum;
+    return arrived;
   }
 
-  template <class Bsdf>
-  RL_HD Rgb arrive(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler, int edges,
+  RL_HD bool follow(Flight& flight, Sampler& sampler, Chain& chain, Surface& s, Vec3& back, Tally& tally) const {
+    while (chain.edges < frame.maxDepth) {
+      ++chain.edges;
+      ++tally.rays;
+      if (!meet<F>(frame.scene, flight, s)) return false;
+      back = -flight.ray.direction;
+      if (!frame.indirectOnly && !frame.dark) chain.sum += chain.throughput * emitted(frame.scene, s, back);
+      const Material& material = frame.scene.materials[s.material];
+      if (!material.specular()) return true;
+      bool goesOn = false;
+      visitBsdf<F>(material, [&](const auto& bsdf) {
+        if constexpr (std::decay_t<decltype(bsdf)>::specular) goesOn = bounce(bsdf, s, back, sampler, chain, flight);
+      });
+      if (!goesOn) return false;
+    }
+    if (frame.maxDepth == hardDepthLimit) ++tally.truncated;
+    return false;
+  }
+
+  /// Direct light; the gather point goes to its slot.
+  RL_HD Rgb arrive(const Surface& s, Vec3 back, Sampler& sampler, const Chain& chain, std::uint32_t slot,
                    Tally& tally) const {
-    if constexpr ((F & feature::lights) == 0) return Rgb(0.0f);
-    if (!frame.shadowRays || frame.indirectOnly || frame.dark || frame.scene.lights.empty() || edges >= frame.maxDepth)
-      return Rgb(0.0f);
-    return directLight<F>(frame, s, local, bsdf, wo, sampler, false, tally);
+    DirectLight direct;
+    visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
+      if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
+        Frame const local(s.n);
+        Vec3 const wo = local.toLocal(back);
+        if (wantsDirect(chain)) direct = sampleDirect<F>(frame, s, local, bsdf, wo, sampler, false);
+        Vec3 const n = wo.z < 0 ? -s.n : s.n;
+        if (!points.empty())
+          points[slot] = GatherPoint{s.p, std::uint32_t(chain.edges), n, packDirection(n),
+                                     chain.throughput * bsdf.eval(wo, Vec3(0, 0, copysign(Real(1), wo.z)))};
+      }
+    });
+    return direct.wanted ? chain.throughput * arriving<F>(frame, direct, tally) : Rgb(0.0f);
+  }
+
+  RL_HD bool wantsDirect(const Chain& chain) const {
+    if constexpr ((F & feature::lights) == 0) return false;
+    return frame.shadowRays && !frame.indirectOnly && !frame.dark && !frame.scene.lights.empty() &&
+           chain.edges < frame.maxDepth;
   }
 
   /// False where Russian roulette ends a long chain of absorbing bounces.
   template <class Bsdf>
-  RL_HD bool bounce(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler, Rgb& throughput,
-                    Real& radianceScale, int edges, Flight& flight) const {
+  RL_HD bool bounce(const Bsdf& bsdf, const Surface& s, Vec3 back, Sampler& sampler, Chain& chain,
+                    Flight& flight) const {
+    Frame const local(s.n);
     Vec2 const u = sampler.next2();
-    BsdfSample const b = bsdf.sample(wo, u.x, Vec2(0), Transport::radiance);
-    throughput *= b.weight;
-    radianceScale *= b.radianceScale;
-    Real const survival = rouletteSurvival(Real(maxComponent(throughput)) / radianceScale, edges);
-    if (edges > 8 && survival < 1) {
+    BsdfSample const b = bsdf.sample(local.toLocal(back), u.x, Vec2(0), Transport::radiance);
+    chain.throughput *= b.weight;
+    chain.radianceScale *= b.radianceScale;
+    Real const survival = rouletteSurvival(Real(maxComponent(chain.throughput)) / chain.radianceScale, chain.edges);
+    if (chain.edges > 8 && survival < 1) {
       if (u.y >= survival) return false;
-      throughput *= float(1 / survival);
+      chain.throughput *= float(1 / survival);
     }
     flight = depart<F>(frame.scene, s, normalize(local.toWorld(b.wi)));
-    return !isBlack(throughput);
+    return !isBlack(chain.throughput);
   }
 };
 

@@ -48,15 +48,17 @@ struct TracePath : TracePathArgs {
       Vec3 const w = flight.ray.direction;
       sum += state.throughput * arrivingEmission(s, w, state);
       bool goesOn = false;
+      DirectLight direct;
       visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
         Frame const local(s.n);
         Vec3 const wo = local.toLocal(-w);
         if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
-          if (edges < frame.maxDepth) sum += state.throughput * nextEvent(bsdf, s, local, wo, sampler, state, tally);
+          if (edges < frame.maxDepth) direct = nextEvent(bsdf, s, local, wo, sampler, state);
           ++state.diffuseHits;
         }
         goesOn = bounce(bsdf, s, local, wo, sampler, state, edges, flight);
       });
+      if (direct.wanted) sum += arriving<F>(frame, direct, tally);
       if (!goesOn) return sum;
     }
     if (frame.maxDepth == hardDepthLimit) ++tally.truncated;
@@ -73,13 +75,16 @@ struct TracePath : TracePathArgs {
     return light * float(powerHeuristic(state.pdf, lightPdf<F>(frame.scene, state.from, s, w)));
   }
 
+  /// Scaled by the throughput so far, since the bounce follows before the shadow ray.
   template <class Bsdf>
-  RL_HD Rgb nextEvent(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler,
-                      const State& state, Tally& tally) const {
-    if constexpr ((F & feature::lights) == 0) return Rgb(0.0f);
-    if (frame.scene.lights.empty()) return Rgb(0.0f);
-    Rgb const light = directLight<F>(frame, s, local, bsdf, wo, sampler, true, tally);
-    return frame.indirectOnly && state.diffuseHits == 0 ? Rgb(0.0f) : light;
+  RL_HD DirectLight nextEvent(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler,
+                              const State& state) const {
+    if constexpr ((F & feature::lights) == 0) return DirectLight{};
+    if (frame.scene.lights.empty()) return DirectLight{};
+    DirectLight direct = sampleDirect<F>(frame, s, local, bsdf, wo, sampler, true);
+    bool const leftOut = frame.indirectOnly && state.diffuseHits == 0;
+    direct.light = leftOut ? Rgb(0.0f) : state.throughput * direct.light;
+    return direct;
   }
 
   template <class Bsdf>

@@ -7,7 +7,7 @@
 
 #include "render/core/features.h"
 
-#define RL_ROWS(X) X(basic) X(mesh) X(full) X(coincident)
+#define RL_ROWS(X) X(basic) X(mesh) X(touching) X(touching_mesh) X(full) X(all)
 
 namespace ropelight {
 
@@ -17,16 +17,20 @@ struct KernelRow {
 };
 
 namespace row {
+inline constexpr FeatureBits kdTrees = feature::tree | feature::shortStack;
 /// Boxes, quads and spheres, tested one by one, seen through a pinhole.
-inline constexpr FeatureBits basic =
-    feature::all & ~(feature::triangles | feature::instances | feature::tree | feature::shortStack | feature::bvh |
-                     feature::lens | feature::coincident);
-/// Everything but instances through the bounding-volume hierarchy.
-inline constexpr FeatureBits mesh =
-    feature::all & ~(feature::tree | feature::shortStack | feature::instances | feature::coincident);
-inline constexpr FeatureBits full = feature::all & ~feature::coincident;
-/// Everything. Apart, since looking for surfaces at the same place costs registers.
-inline constexpr FeatureBits coincident = feature::all;
+inline constexpr FeatureBits basic = feature::all & ~(kdTrees | feature::triangles | feature::instances | feature::bvh |
+                                                      feature::lens | feature::coincident);
+/// Triangles, a BVH over all primitives, a lens.
+inline constexpr FeatureBits mesh = feature::all & ~(kdTrees | feature::instances | feature::coincident);
+/// The basic row where surfaces lie at the same place.
+inline constexpr FeatureBits touching = basic | feature::coincident;
+/// The same with meshes.
+inline constexpr FeatureBits touching_mesh = mesh | feature::coincident;
+/// Instances, through a BVH of two levels.
+inline constexpr FeatureBits full = mesh | feature::instances;
+/// Everything, kd-trees included, which are there to be compared with and looked at.
+inline constexpr FeatureBits all = feature::all;
 }  // namespace row
 
 inline constexpr KernelRow kernelRows[] = {

@@ -105,17 +105,29 @@ RL_HD inline Ray segment(const Surface& a, Vec3 toward, const Surface& b) {
   return Ray{from, to - from, Real(1)};
 }
 
-/// Whether anything stands between a surface point and a sampled point of a light.
+/// The segment from a surface point to a sampled point of a light. blocked: something at the same place as one of its
+/// ends hides the other.
+struct ShadowRay {
+  Ray ray;
+  std::uint32_t ignored = noPrimitive;
+  bool blocked = false;
+};
+
 template <FeatureBits F>
-RL_HD inline bool shadowed(const SceneView& scene, const Surface& s, const DirectSample& light) {
+RL_HD inline ShadowRay shadowRay(const SceneView& scene, const Surface& s, const DirectSample& light) {
+  Surface on = light.surface;
+  bool blocked = false;
   if constexpr ((F & feature::coincident) != 0) {
-    if (stack::before<F>(scene, s, light.toward).found()) return true;
-    Surface on = light.surface;
-    if (stack::before<F>(scene, on, -light.toward).found()) return true;
+    blocked = stack::before<F>(scene, s, light.toward).found() || stack::before<F>(scene, on, -light.toward).found();
     stack::widen(on, stack::layerOf(scene, on.primitive));
-    return occluded<F>(scene, segment(s, light.toward, on), on.primitive);
   }
-  return occluded<F>(scene, segment(s, light.toward, light.surface), light.surface.primitive);
+  return ShadowRay{segment(s, light.toward, on), on.primitive, blocked};
+}
+
+/// Whether anything stands in the segment's way.
+template <FeatureBits F>
+RL_HD inline bool occluded(const SceneView& scene, const ShadowRay& shadow) {
+  return shadow.blocked || occluded<F>(scene, shadow.ray, shadow.ignored);
 }
 
 }  // namespace ropelight::RL_TARGET

@@ -18,13 +18,14 @@ inline Sphere toTarget(const FlatSphere& s) {
 
 inline Material toTarget(const MaterialDesc& desc) {
   Material m;
-  m.kind = std::uint32_t(desc.index());
+  m.kind = std::uint16_t(desc.index());
   Bsdfs::forEach([&](auto type, int index) {
     using T = typename decltype(type)::type;
-    if (std::uint32_t(index) != m.kind) return;
+    if (index != int(m.kind)) return;
     T bsdf;
     static_cast<typename T::Params&>(bsdf) = std::get<typename T::Params>(desc);
     std::memcpy(m.data, &bsdf, sizeof(T));
+    m.lobes = T::specular ? lobe::specular : 0;
   });
   return m;
 }
