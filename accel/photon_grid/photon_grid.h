@@ -28,6 +28,7 @@ struct PhotonGrid {
   Span<const std::uint32_t> starts;  ///< cells + 1 entries: first photon of each cell
   Span<const PhotonPosition> positions;
   Span<const PhotonPower> powers;
+  Span<const std::uint32_t> directions;  ///< packed, to where each came from; empty where no surface asks
 
   RL_HD int cellOf(Real x, int axis) const {
     Real const c = (x - origin[axis]) * inverseEdge[axis];

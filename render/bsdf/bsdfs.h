@@ -8,6 +8,10 @@
 #include "render/bsdf/mirror.h"
 #include "render/core/list.h"
 
+#ifndef RL_TEST_BSDFS
+#define RL_TEST_BSDFS  // what a test adds to the list
+#endif
+
 namespace ropelight {
 
 /// A material as the scene holds it; the alternative's index is its kind on every backend.
@@ -17,6 +21,6 @@ using MaterialDesc = std::variant<DiffuseParams, MirrorParams, DielectricParams>
 
 namespace ropelight::RL_TARGET {
 
-using Bsdfs = List<Diffuse, Mirror, Dielectric>;
+using Bsdfs = List<Diffuse, Mirror, Dielectric RL_TEST_BSDFS>;
 
 }  // namespace ropelight::RL_TARGET

@@ -45,7 +45,9 @@ RL_HD inline Real fresnelDielectric(Real cosI, Real eta, Real& cosT) {
 
 struct Dielectric : DielectricParams {
   using Params = DielectricParams;
-  static constexpr bool specular = true;
+  static constexpr std::uint32_t possibleLobes = lobe::specular | lobe::transmission;
+
+  RL_HD std::uint32_t lobes() const { return possibleLobes; }
 
   RL_HD Rgb directionalAlbedo(Vec3 wo) const {
     Real cosT;
@@ -67,11 +69,13 @@ struct Dielectric : DielectricParams {
       s.wi = Vec3(-wo.x, -wo.y, wo.z);
       s.weight = reflectance;
       s.pdf = reflected;
+      s.lobes = lobe::specular;
       return s;
     }
     s.wi = Vec3(-wo.x / eta, -wo.y / eta, wo.z > 0 ? -cosT : cosT);
     s.weight = transmittance;
     s.pdf = 1 - reflected;
+    s.lobes = lobe::specular | lobe::transmission;
     s.radianceScale = 1 / (eta * eta);
     if (transport == Transport::radiance) s.weight *= float(s.radianceScale);
     return s;

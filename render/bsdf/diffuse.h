@@ -27,7 +27,9 @@ namespace ropelight::RL_TARGET {
 
 struct Diffuse : DiffuseParams {
   using Params = DiffuseParams;
-  static constexpr bool specular = false;
+  static constexpr std::uint32_t possibleLobes = lobe::diffuse;
+
+  RL_HD std::uint32_t lobes() const { return possibleLobes; }
 
   RL_HD Rgb directionalAlbedo(Vec3 /*wo*/) const { return albedo; }
 
@@ -41,6 +43,7 @@ struct Diffuse : DiffuseParams {
     s.pdf = cosineHemispherePdf(s.wi.z);
     if (wo.z < 0) s.wi.z = -s.wi.z;
     s.weight = albedo;
+    s.lobes = lobe::diffuse;
     return s;
   }
 };

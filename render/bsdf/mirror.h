@@ -26,7 +26,9 @@ namespace ropelight::RL_TARGET {
 
 struct Mirror : MirrorParams {
   using Params = MirrorParams;
-  static constexpr bool specular = true;
+  static constexpr std::uint32_t possibleLobes = lobe::specular;
+
+  RL_HD std::uint32_t lobes() const { return possibleLobes; }
 
   RL_HD Rgb directionalAlbedo(Vec3 /*wo*/) const { return reflectance; }
 
@@ -38,6 +40,7 @@ struct Mirror : MirrorParams {
     s.wi = Vec3(-wo.x, -wo.y, wo.z);
     s.weight = reflectance;
     s.pdf = 1;
+    s.lobes = lobe::specular;
     return s;
   }
 };

@@ -24,6 +24,10 @@ inline constexpr FeatureBits shortStack = 1u << 12;  ///< the kd-tree is travers
 inline constexpr FeatureBits instances = 1u << 13;   ///< meshes that are kept once and placed more often
 inline constexpr FeatureBits coincident = 1u << 14;  ///< surfaces at the same place, met in a defined order
 inline constexpr FeatureBits all = (1u << 15) - 1;
+// What kernels are ready for and no scene can ask for yet, so that no row has it; tests compile it in.
+inline constexpr FeatureBits glossy = 1u << 15;       ///< photons with directions, weighted one by one
+inline constexpr FeatureBits shading = 1u << 16;      ///< uv, tangent and shading normal at surfaces
+inline constexpr FeatureBits environment = 1u << 17;  ///< light from infinitely far
 }  // namespace feature
 
 struct FeatureName {

@@ -7,6 +7,10 @@
 #define RL_HD __host__ __device__
 #define RL_TARGET cuda
 #define RL_CUDA_TARGET 1
+#elif defined(ROPELIGHT_TEST_TARGET)  // a test's own copy of the kernels, with lists that it has added to
+#define RL_HD
+#define RL_TARGET ROPELIGHT_TEST_TARGET
+#define RL_CUDA_TARGET 0
 #elif defined(ROPELIGHT_DOUBLE)
 #define RL_HD
 #define RL_TARGET cpu64

@@ -16,7 +16,9 @@ class PhotonBins {
   using Buffer = typename Backend::template Buffer<T>;
 
   /// Room for photons and, of the table, for most cells. Throws std::bad_alloc where the memory cannot be had.
-  void allocate(Backend& backend, std::uint32_t photons, std::uint32_t table) {
+  /// directions: whether photons keep theirs.
+  void allocate(Backend& backend, std::uint32_t photons, std::uint32_t table, bool directions = false) {
+    directions_.allocate(backend, "photons", directions ? photons : 0);
     positions_.allocate(backend, "photons", photons);
     powers_.allocate(backend, "photons", photons);
     for (auto* b : {&keys_, &slots_, &keyScratch_, &slotScratch_}) b->allocate(backend, "grid", photons);
@@ -25,6 +27,7 @@ class PhotonBins {
 
   void release() {
     positions_.release();
+    directions_.release();
     powers_.release();
     for (auto* b : {&keys_, &slots_, &keyScratch_, &slotScratch_, &starts_}) b->release();
   }
@@ -35,6 +38,7 @@ class PhotonBins {
     grid_.starts = starts_.view();
     grid_.positions = positions_.view();
     grid_.powers = powers_.view();
+    grid_.directions = directions_.view();
   }
 
   /// To be filled by cell and slot before sort(), for as many photons as there is room.
@@ -42,10 +46,13 @@ class PhotonBins {
   Span<std::uint32_t> slots() { return slots_.span(); }
 
   /// Photons of equal cells stay in the order of the list, whatever the threads.
-  void sort(Backend& backend, Span<const Photon> photons, Span<const IterationState> state) {
+  /// directions: by slot; empty where photons keep none.
+  void sort(Backend& backend, Span<const Photon> photons, Span<const IterationState> state,
+            Span<const std::uint32_t> directions = {}) {
     std::uint32_t const n = std::uint32_t(positions_.size());
     backend.sortPairs(keys_, slots_, keyScratch_, slotScratch_, n, std::max(1, int(std::bit_width(grid_.cells - 1))));
-    backend.forEach(n, OrderPhotons{photons, slots_.view(), state, positions_.span(), powers_.span()});
+    backend.forEach(n, OrderPhotons{photons, slots_.view(), state, positions_.span(), powers_.span(), directions,
+                                    directions_.span()});
     backend.forEach(FindCells::calls(grid_.cells, Backend::batch),
                     FindCells{keys_.view(), state, starts_.span(), grid_.cells, Backend::batch});
   }
@@ -56,6 +63,7 @@ class PhotonBins {
   PhotonGrid grid_;
   Buffer<PhotonPosition> positions_;
   Buffer<PhotonPower> powers_;
+  Buffer<std::uint32_t> directions_;
   Buffer<std::uint32_t> keys_, slots_, keyScratch_, slotScratch_, starts_;
 };
 

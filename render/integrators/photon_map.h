@@ -18,18 +18,21 @@ class PhotonMap {
   using Buffer = typename Backend::template Buffer<T>;
 
   /// Throws std::bad_alloc where the memory cannot be had.
-  void allocate(Backend& backend, const PhotonPlan& plan) {
+  /// directions: whether photons keep theirs.
+  void allocate(Backend& backend, const PhotonPlan& plan, bool directions) {
     plan_ = plan;
     std::size_t const slots = std::size_t(plan.paths) * plan.stripe + plan.tailCapacity;
     slots_.allocate(backend, "photons", slots);
+    directions_.allocate(backend, "photons", directions ? slots : 0);
     counts_.allocate(backend, "photon paths", plan.paths);
     offsets_.allocate(backend, "photon paths", std::size_t(plan.paths) + 1);
     longPaths_.allocate(backend, "photon paths", plan.paths);
-    bins_.allocate(backend, plan.photonCapacity, plan.tableSize);
+    bins_.allocate(backend, plan.photonCapacity, plan.tableSize, directions);
   }
 
   void release() {
     slots_.release();
+    directions_.release();
     for (auto* b : {&counts_, &offsets_}) b->release();
     longPaths_.release();
     bins_.release();
@@ -48,7 +51,7 @@ class PhotonMap {
     bins_.layOut(scene.bounds, double(cellSize), plan_.tableSize);
     backend.forEach(count, WriteKeys{store, grid()});
     backend.forEach(plan_.photonCapacity, PadKeys{store, grid().cells});
-    bins_.sort(backend, slots_.view(), state.view());
+    bins_.sort(backend, slots_.view(), state.view(), directions_.view());
   }
 
   const PhotonGrid& grid() const { return bins_.grid(); }
@@ -62,6 +65,7 @@ class PhotonMap {
     s.tailCapacity = plan_.tailCapacity;
     s.photonCapacity = plan_.photonCapacity;
     s.photons = slots_.span();
+    s.directions = directions_.span();
     s.counts = counts_.span();
     s.offsets = offsets_.span();
     s.longPaths = longPaths_.span();
@@ -74,6 +78,7 @@ class PhotonMap {
   PhotonPlan plan_;
   PhotonBins<Backend> bins_;
   Buffer<Photon> slots_;
+  Buffer<std::uint32_t> directions_;
   Buffer<DepositCount> counts_, offsets_;
   Buffer<std::uint32_t> longPaths_;
 };

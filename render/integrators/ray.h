@@ -13,7 +13,7 @@ class RayIntegrator final : public IntegratorBase<Backend> {
 
  protected:
   void iterate(std::uint64_t) override {
-    this->run(this->frame_.slots(), TraceCameraArgs{this->frame_, this->radiance_.span(), {}});
+    this->run(this->frame_.slots(), TraceCameraArgs{this->frame_, this->radiance_.span(), {}, {}});
     this->commit();
   }
 };

@@ -3,7 +3,7 @@
 // (2011): each one estimates the image with its own photons and its own radius, and the film is their mean.
 
 #include "render/integrators/photon_map.h"
-#include "render/kernels/gather.h"
+#include "render/kernels/gather_glossy.h"
 
 namespace ropelight::RL_TARGET {
 
@@ -46,6 +46,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   void settingsChanged() override {
     const Settings& s = this->prepared_.settings;
     points_.allocate(this->backend_, "gather points", hasPhotons() ? this->frame_.slots() : 0);
+    glossy_.allocate(this->backend_, "gather points", hasPhotons() && isGlossy() ? this->frame_.slots() : 0);
     if (!hasPhotons()) return map_.release();
     if (s.photons == plannedPhotons_ && s.photonMemory == plannedMemory_ && s.gather == plannedGather_) return;
     budget_ = s.photonMemory > 0 ? s.photonMemory << 20 : this->backend_.device().memory / 4;
@@ -53,7 +54,8 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   }
 
   void iterate(std::uint64_t i) override {
-    this->run(this->frame_.slots(), TraceCameraArgs{this->frame_, this->radiance_.span(), points_.span()});
+    this->run(this->frame_.slots(),
+              TraceCameraArgs{this->frame_, this->radiance_.span(), points_.span(), glossy_.span()});
     if (hasPhotons()) gatherPhotons(i);
     this->commit();
   }
@@ -66,6 +68,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   }
 
  private:
+  bool isGlossy() const { return (this->prepared_.features & feature::glossy) != 0; }
   bool hasPhotons() const { return (this->prepared_.features & feature::photons) != 0; }
 
   double radiusOf(std::uint64_t iteration) const {
@@ -87,7 +90,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
                         std::to_string(budget_ >> 20) + " MiB; use fewer --photons or -D gather=radius",
                     ExitCode::outOfMemory);
       try {
-        map_.allocate(this->backend_, plan);
+        map_.allocate(this->backend_, plan, isGlossy());
         break;
       } catch (const std::bad_alloc&) {
         map_.release();
@@ -121,12 +124,16 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     std::uint32_t const n = this->frame_.slots();
     if (this->prepared_.features & feature::nearest)
       this->backend_.forEach(n, GatherNearest{view, s.nearest, points_.view(), this->radiance_.span(), output});
+    else if (isGlossy() && output == Gathered::radiance)
+      this->run(n, GatherGlossyArgs{view, this->frame_.scene.materials, points_.view(), glossy_.view(),
+                                    this->radiance_.span()});
     else
       this->backend_.forEach(n, GatherRadius{view, points_.view(), this->radiance_.span(), output});
   }
 
   PhotonMap<Backend> map_;
   Buffer<GatherPoint> points_;
+  Buffer<GlossyPoint> glossy_;
   Buffer<PhotonPoint> points3d_;  ///< for a window
   std::uint64_t budget_ = 0;
   std::uint64_t plannedPhotons_ = 0, plannedMemory_ = 0;

@@ -4,6 +4,7 @@
 // order of the file give the same answer, and scenes without such surfaces compile none of it.
 
 #include "render/intersection/intersect.h"
+#include "render/intersection/surface.h"
 
 namespace ropelight::RL_TARGET {
 

@@ -51,12 +51,15 @@ struct OrderPhotons {
   Span<const IterationState> state;
   Span<PhotonPosition> positions;
   Span<PhotonPower> powers;
+  Span<const std::uint32_t> directions = {};  ///< by slot; empty where no surface asks
+  Span<std::uint32_t> sortedDirections = {};
 
   RL_HD void operator()(std::uint32_t k, Tally&) const {
     if (k >= state[0].photons()) return;
     Photon const photon = photons[slots[k]];
     positions[k] = photon.position;
     powers[k] = photon.power;
+    if (!directions.empty()) sortedDirections[k] = directions[slots[k]];
   }
 };
 

@@ -4,6 +4,7 @@
 // nothing is dropped or overwritten, and the order depends on path numbers alone.
 
 #include "accel/photon_grid/photon.h"
+#include "render/core/features.h"
 #include "render/core/span.h"
 
 namespace ropelight::RL_TARGET {
@@ -41,13 +42,21 @@ struct PhotonStore {
   std::uint32_t stripe = 0;  ///< slots of each path
   std::uint32_t tailCapacity = 0;
   std::uint32_t photonCapacity = 0;
-  Span<Photon> photons;        ///< paths·stripe + tailCapacity: slot j·paths + path, then tails
-  Span<DepositCount> counts;   ///< by path
-  Span<DepositCount> offsets;  ///< by path, and the totals after the last
+  Span<Photon> photons;            ///< paths·stripe + tailCapacity: slot j·paths + path, then tails
+  Span<std::uint32_t> directions;  ///< by slot, packed: to where each came from; empty but with feature::glossy
+  Span<DepositCount> counts;       ///< by path
+  Span<DepositCount> offsets;      ///< by path, and the totals after the last
   Span<std::uint32_t> longPaths;
   Span<std::uint32_t> keys;   ///< photonCapacity
   Span<std::uint32_t> slots;  ///< photonCapacity
   Span<IterationState> state;
+
+  template <FeatureBits F>
+  RL_HD void put(std::uint32_t slot, const Photon& photon, Vec3 w) const {
+    photons[slot] = photon;
+    if constexpr ((F & feature::glossy) != 0)
+      if (!directions.empty()) directions[slot] = packDirection(w);
+  }
 
   RL_HD std::uint32_t slotOf(std::uint32_t path, std::uint32_t deposit) const {
     if (deposit < stripe) return deposit * paths + path;

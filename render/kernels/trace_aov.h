@@ -43,8 +43,8 @@ struct TraceAov : TraceAovArgs {
     Surface const s = surfaceMet<F>(frame.scene, ray, hit);
     if (aov == Aov::normal) return Rgb(s.n);
     Rgb albedo(0.0f);
-    visitBsdf<F>(frame.scene.materials[s.material],
-                 [&](const auto& bsdf) { albedo = bsdf.directionalAlbedo(Frame(s.n).toLocal(-ray.direction)); });
+    bsdfAt<F>(frame.scene, s,
+              [&](const auto& bsdf) { albedo = bsdf.directionalAlbedo(Frame(s.n).toLocal(-ray.direction)); });
     return albedo;
   }
 

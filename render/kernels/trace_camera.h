@@ -17,6 +17,15 @@ struct alignas(16) GatherPoint {
   Rgb weight;
 };
 
+/// What a gather point needs besides, where photons count by their direction. back: unit, towards the camera.
+struct GlossyPoint {
+  static constexpr std::uint32_t none = 0xFFFFFFFFu;
+
+  Vec3 back;
+  std::uint32_t material = none;  ///< none: Lambertian, all is in the gather point's weight
+  bool inner = false;             ///< seen from the side that the surface's normal points away from
+};
+
 template <FeatureBits F>
 struct TraceCamera;
 
@@ -29,6 +38,7 @@ struct TraceCameraArgs {
   FrameView frame;
   Span<Rgb> radiance;
   Span<GatherPoint> points;  ///< empty where no photons are gathered
+  Span<GlossyPoint> glossy;  ///< empty but with feature::glossy
 };
 
 template <FeatureBits F>
@@ -69,14 +79,17 @@ struct TraceCamera : TraceCameraArgs {
     while (chain.edges < frame.maxDepth) {
       ++chain.edges;
       ++tally.rays;
-      if (!meet<F>(frame.scene, flight, s)) return false;
+      if (!meet<F>(frame.scene, flight, s)) {
+        if constexpr ((F & feature::environment) != 0) addBeyond(flight, chain);
+        return false;
+      }
       back = -flight.ray.direction;
       if (!frame.indirectOnly && !frame.dark) chain.sum += chain.throughput * emitted(frame.scene, s, back);
-      const Material& material = frame.scene.materials[s.material];
-      if (!material.specular()) return true;
+      if (!frame.scene.materials[s.material].specular()) return true;
       bool goesOn = false;
-      visitBsdf<F>(material, [&](const auto& bsdf) {
-        if constexpr (std::decay_t<decltype(bsdf)>::specular) goesOn = bounce(bsdf, s, back, sampler, chain, flight);
+      bsdfAt<F>(frame.scene, s, [&](const auto& bsdf) {
+        if constexpr ((std::decay_t<decltype(bsdf)>::possibleLobes & lobe::specular) != 0)
+          goesOn = bounce(bsdf, s, back, sampler, chain, flight);
       });
       if (!goesOn) return false;
     }
@@ -84,22 +97,40 @@ struct TraceCamera : TraceCameraArgs {
     return false;
   }
 
+  RL_HD void addBeyond(const Flight& flight, Chain& chain) const {
+    if (frame.indirectOnly || frame.dark) return;
+    chain.sum += chain.throughput * beyondScene<F>(frame.scene, flight.ray.origin, flight.ray.direction).radiance;
+  }
+
   /// Direct light; the gather point goes to its slot.
   RL_HD Rgb arrive(const Surface& s, Vec3 back, Sampler& sampler, const Chain& chain, std::uint32_t slot,
                    Tally& tally) const {
     DirectLight direct;
-    visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
-      if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
+    bsdfAt<F>(frame.scene, s, [&](const auto& bsdf) {
+      using Bsdf = std::decay_t<decltype(bsdf)>;
+      if constexpr ((Bsdf::possibleLobes & lobe::gathered) != 0) {
         Frame const local(s.n);
         Vec3 const wo = local.toLocal(back);
         if (wantsDirect(chain)) direct = sampleDirect<F>(frame, s, local, bsdf, wo, sampler, false);
-        Vec3 const n = wo.z < 0 ? -s.n : s.n;
-        if (!points.empty())
-          points[slot] = GatherPoint{s.p, std::uint32_t(chain.edges), n, packDirection(n),
-                                     chain.throughput * bsdf.eval(wo, Vec3(0, 0, copysign(Real(1), wo.z)))};
+        if (!points.empty()) putPoint(bsdf, s, wo, back, chain, slot);
       }
     });
     return direct.wanted ? chain.throughput * arriving<F>(frame, direct, tally) : Rgb(0.0f);
+  }
+
+  /// A Lambertian surface weighs all photons alike; a glossy one is asked for each of them.
+  template <class Bsdf>
+  RL_HD void putPoint(const Bsdf& bsdf, const Surface& s, Vec3 wo, Vec3 back, const Chain& chain,
+                      std::uint32_t slot) const {
+    Vec3 const n = wo.z < 0 ? -s.n : s.n;
+    GatherPoint point{s.p, std::uint32_t(chain.edges), n, packDirection(n), chain.throughput};
+    bool perPhoton = false;
+    if constexpr ((F & feature::glossy) != 0) {
+      perPhoton = (bsdf.lobes() & lobe::glossy) != 0;
+      if (!glossy.empty()) glossy[slot] = GlossyPoint{back, perPhoton ? s.material : GlossyPoint::none, wo.z < 0};
+    }
+    if (!perPhoton) point.weight *= bsdf.eval(wo, Vec3(0, 0, copysign(Real(1), wo.z)));
+    points[slot] = point;
   }
 
   RL_HD bool wantsDirect(const Chain& chain) const {

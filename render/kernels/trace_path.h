@@ -44,15 +44,15 @@ struct TracePath : TracePathArgs {
     for (int edges = 1; edges <= frame.maxDepth; ++edges) {
       ++tally.rays;
       Surface s;
-      if (!meet<F>(frame.scene, flight, s)) return sum;
+      if (!meet<F>(frame.scene, flight, s)) return sum + state.throughput * arrivingFromBeyond(flight, state);
       Vec3 const w = flight.ray.direction;
       sum += state.throughput * arrivingEmission(s, w, state);
       bool goesOn = false;
       DirectLight direct;
-      visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
+      bsdfAt<F>(frame.scene, s, [&](const auto& bsdf) {
         Frame const local(s.n);
         Vec3 const wo = local.toLocal(-w);
-        if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
+        if (bsdf.lobes() & lobe::gathered) {
           if (edges < frame.maxDepth) direct = nextEvent(bsdf, s, local, wo, sampler, state);
           ++state.diffuseHits;
         }
@@ -70,9 +70,21 @@ struct TracePath : TracePathArgs {
   RL_HD Rgb arrivingEmission(const Surface& s, Vec3 w, const State& state) const {
     Rgb const light = emitted(frame.scene, s, -w);
     if (isBlack(light)) return light;
-    if (frame.indirectOnly && (state.diffuseHits == 0 || (state.diffuseHits == 1 && state.pdf > 0))) return Rgb(0.0f);
+    if (leftOut(state)) return Rgb(0.0f);
     if (state.pdf == 0) return light;
     return light * float(powerHeuristic(state.pdf, lightPdf<F>(frame.scene, state.from, s, w)));
+  }
+
+  RL_HD bool leftOut(const State& state) const {
+    return frame.indirectOnly && (state.diffuseHits == 0 || (state.diffuseHits == 1 && state.pdf > 0));
+  }
+
+  /// The same of a ray that leaves the scene.
+  RL_HD Rgb arrivingFromBeyond(const Flight& flight, const State& state) const {
+    if constexpr ((F & feature::environment) == 0) return Rgb(0.0f);
+    if (leftOut(state)) return Rgb(0.0f);
+    Beyond const sky = beyondScene<F>(frame.scene, state.from, flight.ray.direction);
+    return state.pdf == 0 ? sky.radiance : sky.radiance * float(powerHeuristic(state.pdf, sky.pdf));
   }
 
   /// Scaled by the throughput so far, since the bounce follows before the shadow ray.
@@ -94,7 +106,7 @@ struct TracePath : TracePathArgs {
     BsdfSample const b = bsdf.sample(wo, u.x, direction, Transport::radiance);
     state.throughput *= b.weight;
     state.radianceScale *= b.radianceScale;
-    state.pdf = Bsdf::specular ? Real(0) : b.pdf;
+    state.pdf = b.specular() ? Real(0) : b.pdf;
     state.from = s.p;
     if (edges > 3) {
       Real const survival = rouletteSurvival(Real(maxComponent(state.throughput)) / state.radianceScale, edges);

@@ -8,7 +8,8 @@
 
 namespace ropelight::RL_TARGET {
 
-/// Traces one path and calls deposit(number, position, power) for each of its photons. Returns how many there are.
+/// Traces one path and calls deposit(number, position, power, w) for each of its photons; w: unit,
+/// to where it came from. Returns how many there are.
 template <FeatureBits F, class Deposit>
 RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t path, Real pathsPerIteration,
                                            Deposit&& deposit, Tally& tally) {
@@ -27,15 +28,15 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
     if (!meet<F>(frame.scene, flight, s)) return count;
     Vec2 const direction = sampler.next2(), u = sampler.next2();
     bool goesOn = false;
-    visitBsdf<F>(frame.scene.materials[s.material], [&](const auto& bsdf) {
+    bsdfAt<F>(frame.scene, s, [&](const auto& bsdf) {
       Frame const local(s.n);
       Vec3 const wo = local.toLocal(-flight.ray.direction);
-      if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
+      if (bsdf.lobes() & lobe::gathered) {
         // One edge from the light is direct light, which shadow rays have unless photons are to carry it.
         if (edges > 1 || !(frame.shadowRays || frame.indirectOnly))
-          deposit(
-              count++, PhotonPosition{s.p, packDirection(wo.z < 0 ? -s.n : s.n)},
-              PhotonPower{flux, std::uint32_t(edges) | (specularSoFar && edges > 1 ? PhotonPower::causticBit : 0u)});
+          deposit(count++, PhotonPosition{s.p, packDirection(wo.z < 0 ? -s.n : s.n)},
+                  PhotonPower{flux, std::uint32_t(edges) | (specularSoFar && edges > 1 ? PhotonPower::causticBit : 0u)},
+                  -flight.ray.direction);
         specularSoFar = false;
       }
       BsdfSample const b = bsdf.sample(wo, u.x, direction, Transport::flux);
@@ -71,9 +72,9 @@ struct TracePhotons : TracePhotonsArgs {
   RL_HD void operator()(std::uint32_t path, Tally& tally) const {
     std::uint32_t const count = tracePhotonPath<F>(
         frame, firstPath + path, pathsPerIteration,
-        [&](std::uint32_t deposit, const PhotonPosition& position, const PhotonPower& power) {
+        [&](std::uint32_t deposit, const PhotonPosition& position, const PhotonPower& power, Vec3 w) {
           if (deposit >= store.stripe) return;
-          store.photons[deposit * store.paths + path] = Photon{position, power};
+          store.put<F>(deposit * store.paths + path, Photon{position, power}, w);
         },
         tally);
     bool const longer = count > store.stripe;
@@ -136,9 +137,9 @@ struct TraceTails : TraceTailsArgs {
     Tally again;  // the first tracing has counted truncation
     tracePhotonPath<F>(
         frame, firstPath + path, pathsPerIteration,
-        [&](std::uint32_t deposit, const PhotonPosition& position, const PhotonPower& power) {
+        [&](std::uint32_t deposit, const PhotonPosition& position, const PhotonPower& power, Vec3 w) {
           if (deposit < store.stripe || deposit >= store.counts[path].all) return;
-          store.photons[store.slotOf(path, deposit)] = Photon{position, power};
+          store.put<F>(store.slotOf(path, deposit), Photon{position, power}, w);
         },
         again);
     tally.rays += again.rays;

@@ -7,4 +7,5 @@
   X(TracePath, trace_path)       \
   X(TracePhotons, trace_photons) \
   X(TraceTails, trace_photons)   \
+  X(GatherGlossy, gather_glossy) \
   X(TraceAov, trace_aov)

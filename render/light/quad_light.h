@@ -4,13 +4,15 @@
 
 #include "render/core/frame.h"
 #include "render/core/warp.h"
-#include "render/intersection/scene_view.h"
+#include "render/intersection/surface.h"
 #include "render/light/receiver.h"
 
 namespace ropelight::RL_TARGET {
 
 struct QuadLight {
-  using Shape = Quad;
+  static constexpr FeatureBits bit = feature::quads;
+
+  RL_HD static const Quad& shape(const SceneView& scene, const Light& light) { return scene.quads[light.primitive]; }
 
   /// A point uniform by area, on the outer side.
   RL_HD static void samplePoint(const Quad& quad, Vec2 u, Surface& out) { placeOn(quad, u.x, u.y, out); }

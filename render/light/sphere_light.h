@@ -4,13 +4,17 @@
 #include "render/core/frame.h"
 #include "render/core/rng.h"
 #include "render/core/warp.h"
-#include "render/intersection/scene_view.h"
+#include "render/intersection/surface.h"
 #include "render/light/receiver.h"
 
 namespace ropelight::RL_TARGET {
 
 struct SphereLight {
-  using Shape = Sphere;
+  static constexpr FeatureBits bit = feature::spheres;
+
+  RL_HD static const Sphere& shape(const SceneView& scene, const Light& light) {
+    return scene.spheres[light.primitive - scene.quads.size];
+  }
 
   /// A point uniform by area, on the outer side: a uniform point of the unit sphere is kept in proportion to how much
   /// the map stretches area there, at least every second one for any ellipsoid (all of them for a sphere).

@@ -39,7 +39,7 @@ struct CollectPhotons {
     photons.clear();
     tracePhotonPath<feature::all>(
         frame, first + path, 1,
-        [&](std::uint32_t, const PhotonPosition& at, const PhotonPower& power) {
+        [&](std::uint32_t, const PhotonPosition& at, const PhotonPower& power, Vec3) {
           photons.push_back({at.p, mean(power.flux)});
         },
         tally);
@@ -111,7 +111,7 @@ class Pilot {
     FrameView frame = frame_;
     frame.indirectOnly = true;  // no shadow rays: only the places matter
     launch(backend_, rowFor(prepared_.features), frame.slots(),
-           TraceCameraArgs{frame, {radiance.data(), frame.slots()}, {points.data(), frame.slots()}});
+           TraceCameraArgs{frame, {radiance.data(), frame.slots()}, {points.data(), frame.slots()}, {}});
     return points;
   }
 

@@ -109,7 +109,7 @@ FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Se
   FeatureBits bits = featuresOf(flat, camera);
   bits |= structureFor(flat.hitCount(), s);
   bool const sppm = integratorName(s) == "sppm";
-  if (sppm && (bits & feature::lights) && (bits & feature::diffuse)) bits |= feature::photons;
+  if (sppm && (bits & feature::lights) && (bits & (feature::diffuse | feature::glossy))) bits |= feature::photons;
   if ((bits & feature::photons) && s.gather == "nearest") bits |= feature::nearest;
   return bits;
 }

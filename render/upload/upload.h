@@ -2,6 +2,7 @@
 // A flat scene on a backend, rounded to its scalar. What the scene lacks is not allocated.
 
 #include "accel/bvh/build.h"
+#include "render/light/lights.h"
 #include "render/upload/structures.h"
 #include "render/upload/upload_instances.h"
 
@@ -18,20 +19,25 @@ inline Sphere toTarget(const FlatSphere& s) {
 
 inline Material toTarget(const MaterialDesc& desc) {
   Material m;
-  m.kind = std::uint16_t(desc.index());
   Bsdfs::forEach([&](auto type, int index) {
     using T = typename decltype(type)::type;
-    if (index != int(m.kind)) return;
-    T bsdf;
-    static_cast<typename T::Params&>(bsdf) = std::get<typename T::Params>(desc);
-    std::memcpy(m.data, &bsdf, sizeof(T));
-    m.lobes = T::specular ? lobe::specular : 0;
+    if constexpr (requires { typename T::Params; }) {  // else a test's, which no scene holds
+      if (index != int(desc.index())) return;
+      T bsdf;
+      static_cast<typename T::Params&>(bsdf) = std::get<typename T::Params>(desc);
+      m = materialOf(bsdf);
+    }
   });
   return m;
 }
 
-inline Light toTarget(const FlatLight& l, double totalPower) {
-  return Light{l.primitive, std::uint32_t(l.side), l.radiance, Real(l.area), Real(l.power / totalPower)};
+/// Surfaces emit by their shape: of the kind whose shapes have the primitive's number.
+inline Light toTarget(const FlatScene& flat, const FlatLight& l, double totalPower) {
+  bool const quad = l.primitive < flat.quads.size();
+  int const kind =
+      quad ? Emitters::indexOf<SurfaceEmitter<QuadLight>>() : Emitters::indexOf<SurfaceEmitter<SphereLight>>();
+  return Light{std::uint16_t(kind), std::uint16_t(l.side), l.primitive,
+               l.radiance,          Real(l.area),          Real(l.power / totalPower)};
 }
 
 template <class Backend>
@@ -76,19 +82,18 @@ class DeviceScene {
   }
 
   void uploadLights(const FlatScene& flat) {
-    double total = 0, sum = 0;
-    for (const FlatLight& l : flat.lights) total += l.power;
-    std::vector<Light> lights;
-    std::vector<Real> cdf;
+    if (flat.lights.empty()) return;
+    std::vector<double> powers;
+    double total = 0;
     for (const FlatLight& l : flat.lights) {
-      lights.push_back(toTarget(l, total));
-      sum += l.power / total;
-      cdf.push_back(Real(sum));
+      powers.push_back(l.power);
+      total += l.power;
     }
-    if (!cdf.empty()) cdf.back() = 1;
+    std::vector<Light> lights;
+    for (const FlatLight& l : flat.lights) lights.push_back(toTarget(flat, l, total));
     view.power = Real(total);
     view.lights = copy(lights_, "lights", lights);
-    view.lightCdf = copy(lightCdf_, "lights", cdf);
+    view.lightBins = copy(lightBins_, "lights", makeAliasTable(powers));
   }
 
   void uploadTree(const KdTree& tree) {
@@ -116,7 +121,7 @@ class DeviceScene {
   Buffer<Layer> layers_;
   Buffer<Material> materials_;
   Buffer<Light> lights_;
-  Buffer<Real> lightCdf_;
+  Buffer<AliasBin> lightBins_;
   Buffer<KdNode> nodes_;
   Buffer<KdLeaf> leaves_;
   Buffer<std::uint32_t> references_;

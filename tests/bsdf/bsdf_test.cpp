@@ -70,7 +70,7 @@ TEST_CASE("no BSDF reflects more flux than arrives") {
       CAPTURE(cosine);
       Vec3 const wo = direction(cosine, 0.3);
       double sum = 0;
-      if constexpr (T::specular) {
+      if constexpr ((T::possibleLobes & lobe::gathered) == 0) {
         for (int i = 0; i < steps; ++i)
           sum += bsdf.sample(wo, Real(i + 0.5) / steps, Vec2(0.5f), Transport::flux).weight.y / steps;
       } else {
@@ -103,7 +103,7 @@ TEST_CASE("a diffuse surface's albedo is the integral of f cos") {
 TEST_CASE("the weight of a sample is f cos over its density") {
   TestRandom random(2);
   forEveryBsdf(Rgb(0.2f, 0.5f, 0.9f), [&](const auto& bsdf) {
-    if constexpr (!std::decay_t<decltype(bsdf)>::specular) {
+    if constexpr ((std::decay_t<decltype(bsdf)>::possibleLobes & lobe::gathered) != 0) {
       double worst = 0;
       for (int i = 0; i < 5000; ++i) {
         Vec3 const wo(random.direction());
@@ -120,7 +120,7 @@ TEST_CASE("the weight of a sample is f cos over its density") {
 TEST_CASE("specular BSDFs have no density and a unit direction on every lobe") {
   TestRandom random(3);
   forEveryBsdf(Rgb(1.0f), [&](const auto& bsdf) {
-    if constexpr (std::decay_t<decltype(bsdf)>::specular) {
+    if constexpr ((std::decay_t<decltype(bsdf)>::possibleLobes & lobe::gathered) == 0) {
       double worst = 0;
       int dense = 0, improbable = 0;
       for (int i = 0; i < 5000; ++i) {

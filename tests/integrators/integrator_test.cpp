@@ -126,7 +126,7 @@ TEST_CASE("what a scene does not need is not allocated and not launched") {
   renderImage(openRoom(), tree, 1, &s);
   CHECK(s.bytes.at("tree") > 0);
   CHECK(s.bytes.at("photons") > 0);
-  CHECK(s.kernelRow == "full");
+  CHECK(s.kernelRow == "all");
 }
 
 TEST_CASE("a tree changes nothing in the image") {

@@ -114,7 +114,8 @@ TEST_CASE("a halted iteration orders no photons") {
   Tally tally;
   WriteKeys{store, PhotonGrid{}}(0, tally);
   for (std::uint32_t k = 0; k < capacity; ++k) PadKeys{store, cells}(k, tally);
-  for (std::uint32_t k = 0; k < capacity; ++k) OrderPhotons{{}, {}, {&state, 1}, {}, {}}(k, tally);  // touches nothing
+  for (std::uint32_t k = 0; k < capacity; ++k)
+    OrderPhotons{{}, {}, {&state, 1}, {}, {}, {}, {}}(k, tally);  // touches nothing
   findCells(keys, state, starts, 2);
   CHECK(starts == std::vector<std::uint32_t>(cells + 1, 0));
 }

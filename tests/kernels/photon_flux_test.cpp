@@ -33,7 +33,7 @@ Sums traceFlux(const Scene& scene, std::uint32_t count, bool direct, Where&& her
     double ofPath = 0;
     cpu::tracePhotonPath<feature::all>(
         frame, path, cpu::Real(count),
-        [&](std::uint32_t, const cpu::PhotonPosition& p, const cpu::PhotonPower& power) {
+        [&](std::uint32_t, const cpu::PhotonPosition& p, const cpu::PhotonPower& power, cpu::Vec3) {
           double const flux = double(mean(power.flux));
           (here(Vec3d(p.p)) ? sums.inside : sums.outside) += flux;
           ofPath += flux;

@@ -1,0 +1,54 @@
+#pragma once
+// Gathering where surfaces are glossy: the BSDF is evaluated for every photon, by the direction that it came from.
+// Lambertian gather points keep their one weight.
+
+#include "render/bsdf/material.h"
+#include "render/core/frame.h"
+#include "render/kernels/gather.h"
+
+namespace ropelight::RL_TARGET {
+
+template <FeatureBits F>
+struct GatherGlossy;
+
+struct GatherGlossyArgs {
+  template <FeatureBits F>
+  using Stage = GatherGlossy<F>;
+  static constexpr const char* name = "GatherGlossy";
+  static constexpr std::uint32_t grain = 512;
+
+  GatherView view;  ///< its grid has directions
+  Span<const Material> materials;
+  Span<const GatherPoint> points;
+  Span<const GlossyPoint> glossy;
+  Span<Rgb> radiance;
+};
+
+template <FeatureBits F>
+struct GatherGlossy : GatherGlossyArgs {
+  RL_HD void operator()(std::uint32_t slot, Tally&) const {
+    GatherPoint const g = points[slot];
+    if (isBlack(g.weight)) return;
+    GlossyPoint const seen = glossy[slot];
+    if (seen.material == GlossyPoint::none)
+      putGathering(radiance[slot], g, gatherDisc(view, g), Gathered::radiance);
+    else
+      radiance[slot] += g.weight * reflected(g, seen) * float(invPi / square(view.radius));
+  }
+
+ private:
+  /// Σ f(wo, wi)·Φ over the disc.
+  RL_HD Rgb reflected(const GatherPoint& g, const GlossyPoint& seen) const {
+    Rgb sum(0.0f);
+    Frame const local(seen.inner ? -g.n : g.n);
+    Vec3 const wo = local.toLocal(seen.back);
+    visitBsdf<F>(materials[seen.material], [&](const auto& bsdf) {
+      view.forEachOnDisc(g, square(view.radius), [&](std::uint32_t k, Real, const PhotonPower& power) {
+        sum += bsdf.eval(wo, local.toLocal(unpackDirection(view.grid.directions[k]))) * power.flux;
+      });
+    });
+    return sum;
+  }
+};
+
+}  // namespace ropelight::RL_TARGET
