@@ -8,7 +8,7 @@
 
 namespace ropelight::bvh {
 
-/// Divides the list, keeping its order on both sides, by the best split between `bins` bins an axis that costs less
+/// Divides the list, keeping its order on both sides, by the best split between `bins` bins per axis that costs less
 /// than `limit`. `at` counts from the front of the list; axis −1: there is none, and the list is as it was.
 Split divideByBins(const Primitives& primitives, std::span<std::uint32_t> list, int bins, float limit, Box halves[2]);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The bounding-volume hierarchy's layout: every inner node holds the bounds of its W children, leaves are runs of
-// items.
+// The layout of the bounding-volume hierarchy (BVH): every inner node holds the bounds of its W children, leaves are
+// runs of items.
 
 #include <vector>
 
@@ -33,7 +33,7 @@ struct alignas(W == 4 ? 64 : 16) BvhNode {
 struct BvhStats {
   double seconds = 0;
   double sahCost = 0;  ///< expected cost of a random line, in units of one primitive test
-  int depth = 0;       ///< inner nodes on the longest way to a leaf
+  int depth = 0;       ///< inner nodes on the longest path to a leaf
   std::uint64_t leaves = 0;
 };
 
@@ -54,7 +54,7 @@ struct BvhView {
   Span<const std::uint32_t> items;
 };
 
-/// No way from the root to a leaf passes more inner nodes than this, whatever the scene.
+/// No path from the root to a leaf has more inner nodes than this, whatever the scene.
 inline constexpr int bvhDepthLimit = 60;
 
 }  // namespace ropelight

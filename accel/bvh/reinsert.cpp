@@ -16,8 +16,8 @@ struct Move {
 };
 
 /// Parallel reinsertion (Meister & Bittner 2018, "Parallel Reinsertion for Bounding Volume Hierarchy Optimization"):
-/// for many nodes at a time the best new place is sought; then moves are made, the most gainful first, that do not
-/// touch what another has touched.
+/// for many nodes at a time the best new place is sought; then moves are made, the largest gain first, that do not
+/// touch what an earlier move has touched.
 class Reinserter {
  public:
   explicit Reinserter(Tree& tree) : tree_(tree), parent_(tree.size(), 0), touched_(tree.size()) {
@@ -25,7 +25,7 @@ class Reinserter {
       if (!tree[i].isLeaf()) parent_[tree[i].left] = parent_[tree[i].right] = i;
   }
 
-  /// Considers the nodes of largest area, which are those that rays meet.
+  /// Considers the nodes of largest area, which are those that rays visit most.
   void pass(double share) {
     std::vector<std::uint32_t> const nodes = largest(std::size_t(double(tree_.size()) * share));
     std::vector<Move> moves(nodes.size());

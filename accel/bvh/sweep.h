@@ -30,7 +30,7 @@ class SortedLists {
 
   /// The best split that costs less than `limit`; axis −1 where there is none.
   Split best(std::uint32_t begin, std::uint32_t end, float limit);
-  /// Between equal numbers of primitives along the axis on which their centroids lie farthest apart.
+  /// Splits into equal numbers of primitives along the axis on which their centroids lie farthest apart.
   Split median(std::uint32_t begin, std::uint32_t end) const;
   /// Divides all lists, keeping their order; the boxes of the halves go to `halves`.
   void partition(std::uint32_t begin, std::uint32_t end, const Split& split, Box halves[2]);

@@ -1,5 +1,5 @@
 #pragma once
-// Traversal of the binary hierarchy, near child first, with a stack that remembers where each node is entered.
+// Traversal of the binary BVH, near child first, with a stack that remembers where each node is entered.
 
 #include "accel/bvh/bvh.h"
 #include "render/core/ray.h"
@@ -22,9 +22,9 @@ RL_HD inline Real greater(Real a, Real b) {
 #endif
 }
 
-/// A ray as slab tests want it: the parameter of a plane is plane·inverse + offset, one multiply-add. Components next
-/// to nothing are replaced by 2⁻⁴⁰ of the largest, so that nothing is infinite: within the scene that moves the ray
-/// less than the bounds are padded. The same pad covers the rounding of `offset` for origins within the scene's reach.
+/// A ray as slab tests want it: the parameter of a plane is plane·inverse + offset, one multiply-add. Components close
+/// to zero are replaced by 2⁻⁴⁰ of the largest, so that nothing is infinite: within the scene that moves the ray less
+/// than the bounds are padded. The same pad covers the rounding of `offset` for origins within the scene's reach.
 struct SlabRay {
   Vec3 inverse, offset;
 
@@ -64,12 +64,12 @@ struct BvhStack {
   Entry entries[bvhDepthLimit + 2];
 };
 
-/// One ray's way through a binary hierarchy, leaf by leaf. limit: how far hits are still of interest.
+/// One ray's walk through a binary BVH, leaf by leaf. limit: hits farther than this are of no interest.
 class BvhWalk {
  public:
   RL_HD explicit BvhWalk(const Ray& ray) : slabs_(ray), next_(BvhChild::inner(0)) {}
 
-  /// Descends to the next leaf that the ray meets; false where there is none. Calls visit() for every node on the way.
+  /// Descends to the next leaf that the ray enters; false where there is none. Calls visit() for every node visited.
   template <class Visit>
   RL_HD bool advance(const BvhView<2>& bvh, BvhStack& stack, Real limit, Visit&& visit) {
     while (!next_.isLeaf()) {
@@ -112,7 +112,7 @@ class BvhWalk {
   int size_ = 0;
 };
 
-/// Calls test(item) for the items of every leaf that the ray meets before limit(), which test may lower; a negative
+/// Calls test(item) for the items of every leaf that the ray enters before limit(), which test may lower; a negative
 /// limit ends the walk. Calls visit() for every inner node.
 template <class Test, class Limit, class Visit>
 RL_HD void traverseBinary(const BvhView<2>& bvh, const Ray& ray, Test&& test, Limit&& limit, Visit&& visit) {

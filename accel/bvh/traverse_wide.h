@@ -1,6 +1,6 @@
 #pragma once
-// Traversal of the hierarchy with four children a node, nearest first. The loops over the children are written so that
-// a compiler makes vectors of four of them.
+// Traversal of the BVH with four children per node, nearest first. The loops over the children are written so that a
+// compiler makes vectors of four of them.
 
 #include "accel/bvh/bvh.h"
 #include "render/core/ray.h"
@@ -14,7 +14,7 @@
 
 namespace ropelight::RL_TARGET {
 
-/// A ray as the slab test wants it. Components next to nothing are replaced by 2⁻⁶⁰ of the largest, so that no 0·∞
+/// A ray as the slab test wants it. Components close to zero are replaced by 2⁻⁶⁰ of the largest, so that no 0·∞
 /// arises; on its way through the scene that moves the ray by less than the bounds are padded. Planes are taken
 /// relative to the origin before they are scaled: the three roundings move a plane by 3·2⁻²⁴ of its distance.
 struct WideSlabs {
@@ -86,7 +86,7 @@ class WideStack {
   int size_ = 0;
 };
 
-/// Calls test(item) for the items of every leaf that the ray meets before limit(), which test may lower; a negative
+/// Calls test(item) for the items of every leaf that the ray enters before limit(), which test may lower; a negative
 /// limit ends the walk. Calls visit() for every inner node.
 template <class Test, class Limit, class Visit>
 RL_HD void traverseWide(const BvhView<4>& bvh, const Ray& ray, Test&& test, Limit&& limit, Visit&& visit) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the stages of a hierarchy's build hand to one another: boxes of primitives, and a binary tree over them.
+// What the stages of the BVH's build hand to one another: boxes of primitives, and a binary tree over them.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace ropelight::bvh {
 
-/// Bounds in single precision; the fourth lanes are idle, so that four fit a vector register.
+/// Bounds in single precision; the fourth components are unused, so that four fit a vector register.
 struct alignas(16) Box {
   float min[4] = {unbounded, unbounded, unbounded, 0};
   float max[4] = {-unbounded, -unbounded, -unbounded, 0};
@@ -69,7 +69,7 @@ using Tree = std::vector<Node>;
 /// Splits from the top by the surface-area heuristic, in depth-first order, not deeper than bvhDepthLimit.
 Tree split(const Primitives& primitives, const BvhConfig& config);
 
-/// Moves subtrees to where they cost less; never makes the tree dearer or deeper than bvhDepthLimit.
+/// Moves subtrees to where they cost less; never makes the tree more expensive, or deeper than bvhDepthLimit.
 void reinsert(Tree& tree, int passes);
 
 /// Makes leaves of subtrees where that lowers the cost, and lays the rest out depth first.

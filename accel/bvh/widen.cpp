@@ -7,7 +7,7 @@
 namespace ropelight {
 namespace {
 
-/// One child of a binary node, apart from it.
+/// One child of a binary node, as a value of its own.
 struct Slot {
   float min[3], max[3];
   BvhChild child;

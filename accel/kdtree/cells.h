@@ -1,5 +1,5 @@
 #pragma once
-// The kd-tree's cells as boxes, to be looked at.
+// The kd-tree's cells as boxes, for drawing.
 
 #include <cstddef>
 #include <vector>
@@ -14,9 +14,9 @@ struct KdCell {
   bool leaf = false;
 };
 
-/// The cells of all nodes down to `depth`, the root first and level by level; with `onlyDeepest` those alone that no
-/// other of them divides: the nodes at `depth` and the leaves above, which together fill the root. Where they would be
-/// more than `most` boxes, as many whole levels as are not. Empty for a tree without nodes.
+/// The cells of all nodes down to `depth`, level by level from the root. With `onlyDeepest`, only the nodes at `depth`
+/// and the leaves above it, which together fill the root. If that makes more than `most` boxes, the deepest levels are
+/// left out. Empty for a tree without nodes.
 std::vector<KdCell> cellLines(const KdTree& tree, int depth, bool onlyDeepest, std::size_t most = 20000);
 
 }  // namespace ropelight

@@ -1,6 +1,7 @@
 #pragma once
-// The kd-tree's layout: nodes in depth-first order (the low child follows its parent), leaves apart with their bounds
-// and six ropes (Popov et al. 2007, "Stackless KD-Tree Traversal for High Performance GPU Ray Tracing").
+// The kd-tree's layout: nodes in depth-first order (the low child follows its parent), leaves in a list of their own
+// with their bounds and six ropes (Popov et al. 2007, "Stackless KD-Tree Traversal for High Performance GPU Ray
+// Tracing").
 
 #include <vector>
 
@@ -31,11 +32,11 @@ struct KdLeaf {
 struct KdTreeStats {
   double seconds = 0;  ///< of the whole build
   double sahCost = 0;  ///< expected cost of a random line, in units of one primitive test
-  int depth = 0;       ///< inner nodes on the longest way to a leaf
+  int depth = 0;       ///< inner nodes on the longest path to a leaf
   double ropeSeconds = 0;
-  double duplicates = 0;          ///< references a primitive
+  double duplicates = 0;          ///< references per primitive
   std::uint32_t largestLeaf = 0;  ///< primitives
-  std::uint64_t budgetHits = 0;   ///< splits not made for want of memory
+  std::uint64_t budgetHits = 0;   ///< splits not made for lack of memory
 };
 
 struct KdTree {

@@ -9,8 +9,8 @@
 
 namespace ropelight::RL_TARGET {
 
-/// Cells along x are up to this many times shorter than across it: they cost table entries but no further runs, and
-/// runs that follow the disc's outline hold fewer photons in vain.
+/// Cells are up to this many times shorter along x than along y and z. Short cells cost table entries but no more runs
+/// to read, and runs that follow the disc's outline hold fewer photons that are not wanted.
 inline constexpr double finestAlongX = 4;
 /// Edges grow up to this many times the one asked for before rows are hashed.
 inline constexpr double coarsestEdge = 4;

@@ -1,5 +1,5 @@
 #pragma once
-// A stored photon, in two parts: what every query tests, and what only a taken photon is asked for.
+// A stored photon, in two parts: what every query tests, and what is read only of photons that are taken.
 
 #include "render/core/numeric.h"
 
@@ -43,7 +43,7 @@ struct alignas(16) PhotonPower {
   static constexpr std::uint32_t causticBit = 0x80000000u;
 
   Rgb flux;
-  std::uint32_t path = 0;  ///< edges from the light; with the bit where all earlier bounces were specular, at least one
+  std::uint32_t path = 0;  ///< edges from the light, and causticBit: all bounces before were specular, at least one
 
   RL_HD std::uint32_t edges() const { return path & ~causticBit; }
   RL_HD bool caustic() const { return (path & causticBit) != 0; }

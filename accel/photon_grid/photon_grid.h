@@ -50,7 +50,7 @@ struct PhotonGrid {
   /// none outside the neighbourhood unless test finds it there by rounding. Ascending in k where the grid is dense.
   template <class Test, class Take>
   RL_HD void forEachNear(const Neighbourhood& n, Test&& test, Take&& take) const {
-    if (!isFinite(n.p)) return;  // would meet all cells
+    if (!isFinite(n.p)) return;  // would visit all cells
     Axis const y(*this, n, 1), z(*this, n, 2);
     Real const reachX = reach(n.p.x, n.extent.x), radius2 = n.radius2 * Real(1.00001);
     for (int cz = z.low; cz <= z.high; ++cz) {
@@ -65,7 +65,7 @@ struct PhotonGrid {
   }
 
  private:
-  /// The cells that a query meets along y or z, and how far it is from each.
+  /// The cells that a query covers along y or z, and how far it is from each.
   struct Axis {
     int low, high;
     Real at, edge, slack;  ///< at: the query's place, moved into the grid
@@ -84,7 +84,7 @@ struct PhotonGrid {
     }
   };
 
-  /// A distance with what rounding can add to it at the coordinate x.
+  /// A distance, increased by what rounding can add at the coordinate x.
   RL_HD static Real reach(Real x, Real extent) { return extent * Real(1.00001) + abs(x) * (4 * machineEpsilon); }
 
   /// A hashed row may wrap round the end of the table.
@@ -116,8 +116,7 @@ struct PhotonGrid {
     }
   }
 
-  /// A bucket of a hashed grid may hold photons of other rows, which are not this row's to take: else one might be seen
-  /// twice.
+  /// A bucket of a hashed grid may hold photons of other rows. They are skipped here, or a photon might be taken twice.
   RL_HD bool belongs(Vec3 p, int y, int z) const { return dense || (cellOf(p.y, 1) == y && cellOf(p.z, 2) == z); }
 };
 

@@ -55,7 +55,7 @@ std::vector<StreamPhoton> uniformPhotons(std::uint32_t count, std::uint64_t seed
   return photons;
 }
 
-/// edge × edge points a face, at the middles of squares, in tiles of 8 × 4; edge is a multiple of 8.
+/// edge × edge points per face, at the middles of squares, in tiles of 8 × 4; edge is a multiple of 8.
 std::vector<StreamQuery> tiledQueries(std::uint32_t edge) {
   std::vector<StreamQuery> queries(std::size_t(6) * edge * edge);
   for (std::uint32_t i = 0; i < queries.size(); ++i) {
@@ -107,7 +107,7 @@ class GatherTimer {
 
   DeviceInfo device() const { return grid_->device(); }
 
-  /// A row each: brute force, grid, k nearest.
+  /// One row each: brute force, grid, k nearest.
   std::vector<BenchRow> run() {
     std::vector<BenchRow> rows = {rowOf("brute force", work_.photons.size()), rowOf("grid", work_.photons.size()),
                                   rowOf(fmt::format("grid, {} nearest", nearest), work_.photons.size())};

@@ -93,7 +93,7 @@ Shares sharesOf(const std::map<std::string, double>& stageSeconds) {
   return shares;
 }
 
-/// Where a row stands: a number of triangles, or a scene.
+/// A row's place on the axis: a number of triangles, or a scene.
 struct Place {
   std::string name;
   double value;
@@ -201,7 +201,7 @@ LinePlot plotOf(const BenchResult& result, const BenchTable& table, const char* 
   return plot;
 }
 
-/// The parts of all tables come from one list of stages, that of the largest scene.
+/// All tables use one list of stages, that of the largest scene.
 BenchTable againstTriangles(const Settings& settings, const BenchOptions& options, std::string& stages,
                             std::string& device) {
   BenchTable table{"an iteration", "triangles", {}, {}};

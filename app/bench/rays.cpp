@@ -129,7 +129,8 @@ std::vector<TimedTraversal> timeTraversals(const StreamScene& scene, RayStream& 
     auto const expected = brute ? pick<StreamHit>(set.hits, numbers) : set.hits;
     timed.push_back({info.id, {}, expected.size(), set.rays.size(), differentHits(on.hits(), expected, set.anyHit)});
   }
-  for (TimedTraversal& t : timed)  // the set's hits are the first tree's: what brute force denies is that tree's fault
+  // The set's hits are the first tree's, so that what brute force contradicts is an error of that tree.
+  for (TimedTraversal& t : timed)
     if (t.traversal == Traversal::ropes && timed[0].traversal == Traversal::brute) t.different += timed[0].different;
   timeInTurn(contenders, warmUpRuns - 1, options.repeat, limitSeconds(options));
   for (std::size_t i = 0; i < timed.size(); ++i)

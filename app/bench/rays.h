@@ -1,5 +1,5 @@
 #pragma once
-// What the benchmarks of rays have in common: structures over a mesh, sets of rays, and traversals timed in turn.
+// What the benchmarks of rays share: structures over a mesh, sets of rays, and traversals timed in turn.
 
 #include <functional>
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace ropelight {
 
-/// A tree, the two hierarchies and the seconds that each build of them took.
+/// A kd-tree, the two BVHs and the seconds that each build of them took.
 struct BuiltScene {
   StreamScene stream;
   std::vector<double> treeSeconds, bvhSeconds, widenSeconds;
@@ -28,7 +28,7 @@ BuiltScene buildStructures(std::vector<FlatTriangle> triangles, const BenchOptio
 std::vector<RaySet> tracedSets(const StreamScene& scene, RayStream& stream, const RayView& view, const RayImage& image,
                                const std::vector<std::string>& wanted);
 
-/// The times of one traversal. Hits other than the set's fail it; Embree's own triangle test may differ in few.
+/// The times of one traversal. Fails where hits differ from the set's; Embree's own triangle test may differ in a few.
 struct TimedTraversal {
   Traversal traversal = Traversal::brute;
   std::vector<double> seconds;  ///< scaled to all rays where only `rays` were traced

@@ -58,7 +58,7 @@ void checkOptions(const CompareOptions& options) {
   requireOutputs({options.errorImage, options.flipImage, options.json}, {options.image, options.reference});
 }
 
-/// An image, with a note of what its file says and the figures do not heed.
+/// An image, with a note of what its file says and the figures ignore.
 Image readNoted(const std::string& file) {
   Image image = readImage(file);
   if (const std::string ignored = ignoredColours(file); !ignored.empty())

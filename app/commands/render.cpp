@@ -81,7 +81,7 @@ void printNotes(const Stats& stats) {
   if (stats.chunks > 1) printError("note: each iteration's photons were traced in {} parts", stats.chunks);
 }
 
-/// What makes the image wrong is said under --quiet too.
+/// What makes the image wrong is reported even with --quiet.
 void printWarnings(const Stats& stats) {
   if (stats.nonFinite > 0)
     printError("warning: {} samples were NaN or infinite and were left out of the image", stats.nonFinite);

@@ -44,7 +44,7 @@ std::vector<std::string> scenesOf(const ConvergeOptions& options) {
 
 std::string stemOf(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 
-/// Files are named by the scenes' own.
+/// Output files are named after the scenes' files, so that those names must differ.
 void requireOwnNames(const std::vector<std::string>& scenes, const ConvergeOptions& options) {
   std::set<std::string> stems;
   for (const std::string& scene : scenes)
@@ -62,7 +62,7 @@ struct LoadedScene {
   double seconds = 0;
 };
 
-/// All of them at once, so that a broken one costs no time spent on those before.
+/// Loads all scenes first, so that a broken one is found before time is spent on the others.
 std::vector<LoadedScene> loadScenes(const std::vector<std::string>& files) {
   std::vector<LoadedScene> loaded;
   for (const std::string& file : files) {

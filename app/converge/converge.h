@@ -13,7 +13,7 @@ namespace ropelight {
 struct ConvergeOptions {
   SceneOptions scene;               ///< its name is not used
   std::vector<std::string> scenes;  ///< as given; findScene() turns them into paths
-  std::string sceneList;            ///< more of them, apart by commas
+  std::string sceneList;            ///< more of them, comma-separated
   std::string modes = "ray,path,sppm";
   double time = 0;               ///< seconds of every run; 0: see iterations, or 10 where neither is given
   std::uint64_t iterations = 0;  ///< of every run; 0: no limit

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers to places along an axis of a plot.
+// From numbers to places along an axis of a plot.
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ struct PlotTick {
 /// An axis fitted to values. Of a linear one the ends are ticks; a logarithmic one has a margin of 5% at either end.
 class AxisScale {
  public:
-  /// Values that have no place are passed over.
+  /// Values that have no place are ignored.
   AxisScale(const PlotAxis& axis, const std::vector<double>& values);
 
   bool hasPlace(double value) const;

@@ -30,7 +30,7 @@ struct PlotAxis {
   std::vector<std::string> names;  ///< where not empty: the axis has these places, at 0, 1, …
 };
 
-/// caption: what one must know to measure it again (device, seed, settings); wrapped below the plot. Every '\n' in it
+/// caption: what is needed to repeat the measurement (device, seed, settings); wrapped below the plot. Every '\n' in it
 /// begins a new line.
 struct LinePlot {
   std::string title;

@@ -12,7 +12,7 @@ struct Accumulated {
 };
 
 /// Advances until the goal is met or a signal asks to stop; at least one iteration. Batches take about 0.1 s, so that
-/// both are honoured soon without a cost to every iteration.
+/// both are noticed soon without a cost for every iteration.
 Accumulated accumulate(Integrator& integrator, const Goal& goal, const StopOnSignal& stop, bool quiet);
 
 }  // namespace ropelight

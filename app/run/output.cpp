@@ -87,7 +87,7 @@ void writeJson(const std::string& path, const nlohmann::ordered_json& json) {
   std::string const text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   if (path != "-") return writeFile(path, text);
   std::fputs(text.c_str(), stdout);
-  flushStandardOutput();  // whose failure is told at the end of the program
+  flushStandardOutput();  // whose failure is reported at the end of the program
 }
 
 void writeAll(const std::vector<std::function<void()>>& writers) {

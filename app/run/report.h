@@ -14,10 +14,10 @@ namespace ropelight {
 nlohmann::ordered_json toJson(Settings settings);
 nlohmann::ordered_json toJson(const Stats& stats);
 
-/// Iterations a second.
+/// Iterations per second.
 double iterationRate(const Stats& stats);
 
-/// Millions a second of rays (closest-hit and shadow), and of photon paths. 0 where no time was spent.
+/// Millions per second of rays (closest-hit and shadow), and of photon paths. 0 where no time was spent.
 double megaRays(const Stats& stats);
 double megaPhotons(const Stats& stats);
 

@@ -10,7 +10,7 @@ class SampleSchedule {
  public:
   explicit SampleSchedule(double spacing) : logSpacing_(std::log(spacing)) {}
 
-  /// Whether a look is due at this time; always so before the first one. Zero and less come before every power.
+  /// Whether a look is due at this time; always so before the first one. Times of zero or less come before every power.
   bool due(double time) const { return time >= next_; }
   double next() const { return next_; }
   void restart() { next_ = 0; }

@@ -1,6 +1,6 @@
 #pragma once
-// Standard output that cannot be written is a failure, standard error that cannot be written is nobody's concern, and
-// neither costs a picture.
+// Standard output that cannot be written is a failure; standard error that cannot be written is ignored. In neither
+// case is a picture lost.
 
 #include <fmt/format.h>
 
@@ -18,10 +18,10 @@ void prepareStandardStreams();
 void flushStandardOutput();
 
 /// At the end. The code to exit with: `code`, or 1 with a message where standard output could not be written. Where its
-/// reader has gone away, the program ends by SIGPIPE without a word, as others do.
+/// reader has gone away, the program ends by SIGPIPE without a message, as others do.
 int finishStandardOutput(int code);
 
-/// For a failure that was met elsewhere: what errno was.
+/// For a failure that was noticed elsewhere: its errno.
 void rememberOutputError(int error);
 
 /// Whether something could not be written to standard output.
@@ -35,7 +35,7 @@ void printError(fmt::format_string<T...> format, T&&... values) {
   printError(fmt::format(format, std::forward<T>(values)...));
 }
 
-/// Text that may be lost without costing more than itself; finishStandardOutput tells.
+/// Text whose loss does not end the run; finishStandardOutput reports it.
 template <class... T>
 void printTo(std::FILE* stream, fmt::format_string<T...> format, T&&... values) {
   std::fputs(fmt::format(format, std::forward<T>(values)...).c_str(), stream);

@@ -19,11 +19,11 @@ namespace ropelight {
 namespace {
 
 constexpr std::size_t batchSize = 1u << 18;
-constexpr std::uint32_t bruteLimit = 20000;  // triangles that brute force answers for; beyond them a judge does
+constexpr std::uint32_t bruteLimit = 20000;  // with up to so many triangles brute force is the reference
 constexpr std::int64_t fewUlp = 4;
 constexpr double mostDoubtful = 1e-5;  // share of rays, beyond three
 
-/// What came of one traversal on one mesh.
+/// The result of one traversal on one mesh.
 struct Verdict {
   std::string traversal;
   std::uint64_t rays = 0;
@@ -35,7 +35,7 @@ struct Verdict {
 struct MeshVerdict {
   std::string mesh, reference;
   std::size_t triangles = 0;
-  std::uint64_t rays = 0;      ///< held against the reference
+  std::uint64_t rays = 0;      ///< compared with the reference
   std::uint64_t doubtful = 0;  ///< of these, answered wrongly by the reference itself: left out
   std::vector<Verdict> verdicts;
 
@@ -127,7 +127,7 @@ class MeshCheck {
     }
   }
 
-  /// Whether the double-precision judge lets a hit stand, given another structure's.
+  /// Whether the double-precision judge accepts a hit, given another structure's.
   bool acceptable(const StreamRay& ray, const StreamHit& hit, const StreamHit& other) const {
     StreamHit const candidates[] = {hit, other};
     return HitJudge(*scene_.flat).acceptable(ray, hit, candidates);

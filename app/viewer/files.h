@@ -17,7 +17,7 @@ struct LoadedScene {
   bool again = false;  ///< the file that was shown before
 };
 
-/// Loads one scene at a time on a thread of its own; a later one waits for the one before.
+/// Loads one scene at a time on a thread of its own; a later one waits for the earlier one.
 class SceneLoader {
  public:
   ~SceneLoader();
@@ -28,7 +28,7 @@ class SceneLoader {
 
  private:
   std::future<LoadedScene> loading_;
-  std::string next_;  ///< asked for meanwhile; empty: none
+  std::string next_;  ///< asked for in the meantime; empty: none
 };
 
 /// Whether the name ends as an image's does.

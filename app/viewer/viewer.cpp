@@ -328,7 +328,7 @@ void Viewer::setTitle() {
 void Viewer::end() {
   if (preferencesFile_.empty()) return;
   Preferences kept{state_, camera_.views, camera_.speed, preferences_.width, preferences_.height};
-  if (viewMemory().tone) kept.state.tone = *viewMemory().tone;  // not those that a heat map has for itself
+  if (viewMemory().tone) kept.state.tone = *viewMemory().tone;  // not those that belong to a heat map
   if (viewMemory().brightness) kept.state.imageBrightness = *viewMemory().brightness;
   Size const size = window_.windowSize();
   if (size.width >= 320 && size.height >= 240) {

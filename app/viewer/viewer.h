@@ -62,9 +62,9 @@ class Viewer {
   void writeState(const std::string& file);
   void end();
   void setTitle();
-  /// What was read and no output may overwrite.
+  /// Files that were read, which no output may overwrite.
   std::vector<std::string> inputs() const;
-  /// Says what was done, or why it was not.
+  /// Runs the action, and shows what was done or why it failed.
   template <class Action>
   void attempt(const std::string& done, Action&& action) {
     try {
@@ -98,7 +98,7 @@ class Viewer {
   Watch watch_;
 
   std::array<EstimateStatus, 3> estimates_;
-  std::shared_ptr<const Scene> scene_;  ///< that the renderer shows
+  std::shared_ptr<const Scene> scene_;  ///< the one that the renderer shows
   std::uint64_t sceneVersion_ = 0;
   CameraDesc toldCamera_;
   std::array<std::uint64_t, 6> shown_{};  ///< versions that the latest frame showed
@@ -107,7 +107,7 @@ class Viewer {
   Rect matchedPlace_;  ///< the picture's, and since when
   Clock::time_point matchedSince_;
   bool drewBefore_ = false;
-  std::vector<int> taps_;  ///< keys held down for this frame alone
+  std::vector<int> taps_;  ///< keys that count as down for this frame alone
   std::vector<std::string> screenshots_, stateFiles_;
   FrameCounts counts_;
   std::array<double, 120> frameMs_{};

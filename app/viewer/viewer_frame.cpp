@@ -18,8 +18,8 @@ constexpr auto attention = std::chrono::milliseconds(700);  ///< after the lates
 
 }  // namespace
 
-/// A window in which nothing would change is not drawn again: on a machine without a GPU the accumulation has better
-/// use for the time.
+/// A window in which nothing would change is not drawn again: on a machine without a GPU the time is better spent on
+/// accumulation.
 bool Viewer::frameWanted() {
   if (window_.takeActivity()) lastInput_ = Clock::now();
   std::array<std::uint64_t, 6> shown{};
@@ -81,8 +81,8 @@ void Viewer::finishFrame() {
   if (last) done_ = true;
 }
 
-/// Waits for events for what is left of the frame: the time is the accumulation's, half of it at least where drawing is
-/// done by the same cores.
+/// Waits for events for what is left of the frame: the time is left to accumulation, at least half of it where the same
+/// cores draw.
 void Viewer::pace() {
   auto const elapsed = [this] { return std::chrono::duration<double>(Clock::now() - frameStart_).count(); };
   double const frame = std::clamp(2 * elapsed(), shortestFrame, longestFrame);

@@ -12,7 +12,7 @@ constexpr double settleInterval = 0.1;  // seconds between looks at files that a
 
 }  // namespace
 
-/// Leaves the stamp of a file that is not there, so that saving by deleting and renaming is one change and not two.
+/// Keeps the old stamp of a file that is missing, so that saving by deleting and renaming is one change and not two.
 void Watch::look(const fs::path& path, Stamp& stamp) {
   std::error_code noSize, noTime;
   Stamp const found{fs::last_write_time(path, noTime), fs::file_size(path, noSize)};

@@ -12,9 +12,9 @@ class Watch {
  public:
   /// Watches the scene's file and the files of its meshes from now on.
   void start(const Scene& scene);
-  /// True once after a change: size or time of a file is another one, and has been the same in two looks 100 ms apart,
-  /// so that a half-written file is not loaded. A missing file is not a change. Cheap: looks every 250 ms, and every
-  /// 100 ms while files are being written. now: seconds.
+  /// True once after a change: size or time of a file differs, and was the same in two looks 100 ms apart, so that a
+  /// half-written file is not loaded. A missing file is not a change. Cheap: looks every 250 ms, and every 100 ms while
+  /// files are being written. now: seconds.
   bool changed(double now);
 
  private:

@@ -25,7 +25,7 @@ Vec3d bumpyPoint(double theta, double phi, bool pole) {
   return {sixDigits(r * s * std::cos(phi)), sixDigits(r * std::cos(theta)), sixDigits(r * s * std::sin(phi))};
 }
 
-/// A sphere's grid of vertices; the last segment meets the first.
+/// A sphere's grid of vertices; the last segment joins the first.
 class Rings {
  public:
   Rings(int segments, int rows) : segments_(segments) {

@@ -49,7 +49,7 @@ std::vector<FlatTriangle> degenerate(Random& random) {
   return out;
 }
 
-/// A wall of 2 × 50 × 50 triangles in x = 0.25, three times over, and one across it.
+/// A wall of 2 × 50 × 50 triangles in x = 0.25, three times at the same place, and one wall across it.
 std::vector<FlatTriangle> flat() {
   std::vector<FlatTriangle> out;
   auto const at = [](int y, int z) { return Vec3d(0.25, y / 25.0 - 1, z / 25.0 - 1); };

@@ -11,7 +11,7 @@ namespace ropelight {
 struct StressMesh {
   std::string name;
   std::vector<FlatTriangle> triangles;
-  /// Radius of a ball around the origin from which every ray meets the mesh; 0 where it is not closed.
+  /// Radius of a ball around the origin from which every ray hits the mesh; 0 where it is not closed.
   double insideRadius = 0;
 };
 

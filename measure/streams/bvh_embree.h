@@ -1,5 +1,5 @@
 #pragma once
-// Intel Embree 3 on the same triangles: what this project's own hierarchies are compared with. Optional.
+// Intel Embree 3 on the same triangles: what this project's own BVHs are compared with. Optional.
 
 #include <limits>
 #include <memory>

@@ -1,5 +1,5 @@
 #pragma once
-// Photons and gather points apart from any rendering: what the gather benchmark times and what its checks ask.
+// Photons and gather points without a rendering around them: what the gather benchmark times and what its checks ask.
 
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,6 @@
 #pragma once
-// Many rays against one structure, apart from any rendering: what benchmarks time and what the correctness checks ask.
+// Many rays against one structure, without a rendering around them: what benchmarks time and what the correctness
+// checks ask.
 
 #include <cstdint>
 #include <memory>
@@ -35,9 +36,9 @@ enum class Traversal : std::uint8_t {
   ropes,        ///< kd-tree, stackless
   ropesShared,  ///< the same, top levels of the tree in shared memory (GPU)
   shortStack,   ///< kd-tree, short stack with push-down and restart
-  bvh,          ///< binary hierarchy, one thread a ray
+  bvh,          ///< binary BVH, one thread per ray
   bvhRefill,    ///< the same by persistent warps that fetch new rays when lanes run empty (GPU)
-  bvhWide,      ///< four children a node
+  bvhWide,      ///< BVH with four children per node
   embree,       ///< Embree (CPU, where it was built in)
 };
 

@@ -1,4 +1,4 @@
-// The search: things whose boxes meet give candidates, a hierarchy over those gives pairs, geometry decides.
+// The search: shapes whose boxes overlap give candidates, a BVH over those gives pairs, and geometry decides.
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -23,14 +23,14 @@ bool transmits(const Scene& scene, const ShapeDesc& shape) {
                     scene.materials[std::size_t(shape.material)].desc);
 }
 
-/// Whether it matters which of two surfaces of these shapes is met first.
+/// Whether it matters which of two surfaces of these shapes a ray hits first.
 bool orderMatters(const Scene& scene, std::uint32_t a, std::uint32_t b) {
   const ShapeDesc &s = scene.shapes[a], &t = scene.shapes[b];
   bool const clear = transmits(scene, s) || transmits(scene, t);
   return clear || (a != b && (s.material != t.material || s.emission || t.emission));
 }
 
-/// A quad, an ellipsoid, or a whole mesh: primitives [first, end), or one placed mesh.
+/// A quad, an ellipsoid, or a whole mesh: primitives [first, end), or one instance.
 struct Thing {
   std::uint32_t shape, first, end;
   const FlatInstance* instance = nullptr;
@@ -178,7 +178,7 @@ class Search {
     return buildBvh(scene, quick);
   }
 
-  /// Calls visit(primitive) for what the hierarchy holds near a box.
+  /// Calls visit(primitive) for what the BVH holds near a box.
   template <class Visit>
   void forEachNear(const Bvh<2>& bvh, const Bounds& box, Visit&& visit) const {
     std::vector<std::uint32_t> open{0};

@@ -7,7 +7,7 @@ namespace ropelight {
 namespace {
 
 constexpr double rounding = 0x1p-24;     // of a float
-constexpr double parallelCosine = 0.99;  // planes that differ by more are told apart wherever they are more than edges
+constexpr double parallelCosine = 0.99;  // planes at a larger angle share no more than an edge
 
 Facet makePolygon(const Vec3d* corners, int count, Vec3d e1, Vec3d e2) {
   Facet f;

@@ -13,7 +13,7 @@ struct Facet {
   Vec3d normal{0.0};  ///< unit length; of an ellipsoid: none
   FlatSphere sphere;
   double bound =
-      0;  ///< on the error of a computed point along the normal, scene units; as in render/intersection/scene_view.h
+      0;            ///< error of a computed point along the normal, scene units; as in render/intersection/scene_view.h
   double size = 0;  ///< diagonal of the box
   Bounds box;
 
@@ -24,8 +24,8 @@ Facet makeFacet(const FlatQuad& quad);
 Facet makeFacet(const FlatTriangle& triangle);
 Facet makeFacet(const FlatSphere& sphere);
 
-/// How far apart two facets may lie and still be one place to rays: twice the sum of their bounds, and no less than
-/// what a float tells apart across the smaller, since bounds vanish in planes like y = 0.
+/// How far apart two facets may lie and still count as one place for rays: twice the sum of their bounds, and no less
+/// than what a float tells apart across the smaller, since bounds vanish in planes like y = 0.
 double placeTolerance(const Facet& a, const Facet& b);
 
 /// Whether two polygons lie in one plane, within the tolerance wherever the smaller is, and overlap by more than an

@@ -1,4 +1,4 @@
-// Faces that nobody sees, so that furniture on a floor costs no order of layers.
+// Faces that cannot be seen are left out, so that furniture on a floor needs no layers.
 
 #include <algorithm>
 #include <map>
@@ -47,7 +47,7 @@ class Hiding {
                        scene_.materials[std::size_t(scene_.shapes[shape].material)].desc);
   }
 
-  /// A solid with nobody inside who could see its faces from there.
+  /// A solid that holds neither the camera nor a light, which could see its faces from inside.
   bool dark(std::uint32_t shape) {
     auto const [known, isNew] = dark_.try_emplace(shape, false);
     if (isNew) known->second = closed(scene_.shapes[shape]) && empty(shape);

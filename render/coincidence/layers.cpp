@@ -30,7 +30,7 @@ class DisjointSets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// What distinguishes a shape from others, whatever its place in the file; compared only to break ties.
+/// What distinguishes a shape from others, independently of its place in the file; compared only to break ties.
 std::vector<double> signature(const Scene& scene, const ShapeDesc& shape) {
   std::vector<double> s;
   MaterialDesc material = scene.materials[std::size_t(shape.material)].desc;
@@ -57,7 +57,7 @@ struct Sheet {
   auto operator<=>(const Sheet&) const = default;
 };
 
-enum class Kind : std::uint8_t { leaving, opaque, entering };  ///< as somebody meets it who comes from one side
+enum class Kind : std::uint8_t { leaving, opaque, entering };  ///< as a ray from one side hits it
 
 class Layers {
  public:
@@ -105,13 +105,13 @@ class Layers {
     return (std::uint8_t(shape.emission->side) & std::uint8_t(side)) != 0 ? 0 : 1;
   }
 
-  /// Its solid lies behind its normal: somebody from the front leaves a solid whose normal points to the back.
+  /// A solid lies behind its normal: a ray from the front leaves a solid whose normal points to the back.
   Kind kindOf(const Sheet& s, bool front) const {
     if (!transmits(s)) return Kind::opaque;
     return front == s.flipped ? Kind::leaving : Kind::entering;
   }
 
-  /// Whether somebody who comes from the side meets a before b.
+  /// Whether a ray from that side hits a before b.
   bool metBefore(const Sheet& a, const Sheet& b, bool front) const {
     Kind const ka = kindOf(a, front), kb = kindOf(b, front);
     if (ka != kb) return ka < kb;

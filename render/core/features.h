@@ -21,8 +21,8 @@ inline constexpr FeatureBits photons = 1u << 9;      ///< photon pass, grid and 
 inline constexpr FeatureBits nearest = 1u << 10;     ///< k-nearest gather
 inline constexpr FeatureBits bvh = 1u << 11;         ///< bounding-volume hierarchy
 inline constexpr FeatureBits shortStack = 1u << 12;  ///< the kd-tree is traversed with a short stack, not by ropes
-inline constexpr FeatureBits instances = 1u << 13;   ///< meshes that are kept once and placed more often
-inline constexpr FeatureBits coincident = 1u << 14;  ///< surfaces at the same place, met in a defined order
+inline constexpr FeatureBits instances = 1u << 13;   ///< instanced meshes
+inline constexpr FeatureBits coincident = 1u << 14;  ///< surfaces at the same place, hit in a defined order
 inline constexpr FeatureBits all = (1u << 15) - 1;
 // What kernels are ready for and no scene can ask for yet, so that no row has it; tests compile it in.
 inline constexpr FeatureBits glossy = 1u << 15;       ///< photons with directions, weighted one by one

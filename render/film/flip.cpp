@@ -52,7 +52,7 @@ struct ColourSpaces {
   }
 };
 
-/// Three numbers a pixel.
+/// Three numbers per pixel.
 struct Planes {
   Plane x, y, z;
 

@@ -1,5 +1,5 @@
 #pragma once
-// One number a pixel, and separable filters over it.
+// One number per pixel, and separable filters over it.
 
 #include <cstddef>
 #include <vector>

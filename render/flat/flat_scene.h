@@ -35,30 +35,28 @@ struct FlatLight {
 
 struct FlatScene;
 
-/// A mesh that is kept once, placed in the world. A hit on its triangle k has the number firstHit + k.
+/// An instance: a mesh that is stored once, placed in the world. A hit on its triangle k has the number firstHit + k.
 struct FlatInstance {
   std::uint32_t mesh = 0;  ///< index into FlatScene::meshes
   Mat4d toWorld{1.0};      ///< affine, from the mesh's space
   std::uint32_t firstHit = 0;
-  Bounds bounds;     ///< of the vertices in the world, exact
-  Vec3d slack{0.0};  ///< what rounding may move it as rays see it, in units of 2⁻¹⁹ of the scene's reach
+  Bounds bounds;     ///< exact, of the vertices in the world
+  Vec3d slack{0.0};  ///< how far rounding may move it for rays, in units of 2⁻¹⁹ of the scene's reach
 };
 
-/// Coordinates are those of a frame of its own, moved by whole steps so that the scene lies near the origin, where
-/// floats are fine: x_file = x_flat + origin. The step is a power of two, 2.8 to
-/// 5.7 times the scene's extent, so that scenes within 1.4 times their extent of the origin are not moved, and moves by
-/// multiples of it change no bit.
-/// Primitives are numbered quads first, then spheres, then triangles, then instances; a hit on an instance has a
-/// number above all of them. The scene of a mesh that is kept once holds its triangles alone, centred and scaled by a
-/// power of two to within [−1, 1]; rays meet it from origins within [−2, 2], which its reach covers wherever it is
-/// placed.
+/// Coordinates are in a frame of the scene's own, moved by whole steps so that the scene lies near the origin, where
+/// floats are dense: x_file = x_flat + origin. The step is a power of two, 2.8 to 5.7 times the scene's extent, so that
+/// scenes within 1.4 times their extent of the origin are not moved, and moves by multiples of it change no bit.
+/// Primitives are numbered quads first, then spheres, then triangles, then instances; a hit on an instance has a number
+/// above all of them. The scene of an instanced mesh holds its triangles alone, centred and scaled by a power of two to
+/// within [−1, 1]; rays are started within [−2, 2], which its reach covers wherever it is placed.
 struct FlatScene {
   std::vector<FlatQuad> quads;
   std::vector<FlatSphere> spheres;
   std::vector<FlatTriangle> triangles;
   std::vector<FlatInstance> instances;
-  std::vector<std::shared_ptr<const FlatScene>> meshes;  ///< kept once
-  std::vector<std::uint32_t> material;                   ///< by primitive; of a mesh kept once: none
+  std::vector<std::shared_ptr<const FlatScene>> meshes;  ///< instanced
+  std::vector<std::uint32_t> material;                   ///< by primitive; empty in an instanced mesh
   std::vector<std::int32_t> light;                       ///< by quad and sphere; −1: none
   std::vector<FlatLight> lights;
   std::vector<MaterialDesc> materials;
@@ -78,7 +76,7 @@ struct FlatScene {
   bool isPolygon(std::uint32_t primitive) const;
   /// Of an instance with its slack.
   Bounds primitiveBounds(std::uint32_t primitive) const;
-  /// Whether the primitive's surface may meet the box; never false where it does. Spheres are tested by surface, so
+  /// Whether the primitive's surface may overlap the box; never false where it does. Spheres are tested by surface, so
   /// that a room-sized one does not sit in every cell; instances by their bounds.
   bool overlapsSurface(std::uint32_t primitive, const Bounds& box) const;
 };

@@ -6,15 +6,15 @@
 
 namespace ropelight {
 
-/// Of one primitive. The surfaces of a stack are numbered in the order in which a ray meets them that comes from the
-/// stack's front, and again from its back; equal numbers are one surface. Opaque ones lie in one plane: each sees only
-/// those of lower number before it.
+/// Of one primitive. The surfaces of a stack are numbered in the order in which a ray from the stack's front hits them,
+/// and again from its back; equal numbers are one surface. Opaque surfaces lie in one plane: from each, only those of
+/// lower number are seen.
 struct alignas(16) Layer {
   static constexpr std::uint32_t opaqueBit = 1, flippedBit = 2;
 
   std::uint32_t stack = 0;  ///< number << 2, from 1 << 2; flippedBit where its normal is the stack's reversed; 0: none
   std::uint32_t fromFront = 0, fromBack = 0;
-  float depth = 0;  ///< more than what rounding moves any of the stack's surfaces along the normal, scene units
+  float depth = 0;  ///< more than rounding can move any surface of the stack along the normal, scene units
 
   RL_HD bool stacked() const { return stack != 0; }
   RL_HD bool opaque() const { return (stack & opaqueBit) != 0; }

@@ -19,9 +19,9 @@ double area(const FlatQuad& q) { return glm::length(glm::cross(q.corner[1] - q.c
 
 double area(const FlatTriangle& t) { return 0.5 * glm::length(glm::cross(t.b - t.a, t.c - t.a)); }
 
-/// What a first pass found that the next has to heed.
+/// What a first pass found that the next one must respect.
 struct Exceptions {
-  std::vector<std::uint32_t> copied;  ///< shapes whose meshes are not placed, whatever the rule says; ascending
+  std::vector<std::uint32_t> copied;  ///< shapes whose meshes are copied, whatever the rule says; ascending
   std::vector<std::uint32_t> hidden;  ///< primitives of the pass before that are left out; ascending
 };
 
@@ -80,7 +80,7 @@ class Flattener {
     add(shape, area(quad));
   }
 
-  /// A mirroring transform turns the winding round; the normal follows the inverse transpose.
+  /// A mirroring transform reverses the winding; the normal follows the inverse transpose.
   void addQuad(const ShapeDesc& s) {
     Vec3d const a = apply(s.toWorld, {0, 0, 0}), b = apply(s.toWorld, {1, 0, 0});
     Vec3d const c = apply(s.toWorld, {1, 1, 0}), d = apply(s.toWorld, {0, 1, 0});
@@ -202,7 +202,7 @@ FlatScene flatten(const Scene& scene, Instancing instancing) {
   for (;;) {
     CoincidentPairs found;
     FlatScene flat = Flattener(scene, instancing, except).run(found);
-    if (!found.placed.empty()) {  // layers belong to primitives, which the triangles of placed meshes are not
+    if (!found.placed.empty()) {  // layers belong to primitives, and triangles of instances are none
       except.hidden.clear();
       except.copied.insert(except.copied.end(), found.placed.begin(), found.placed.end());
       std::sort(except.copied.begin(), except.copied.end());

@@ -1,12 +1,12 @@
 #pragma once
-// Meshes kept once: the space that they are kept in, and their places in the world.
+// Instanced meshes: the space in which they are stored, and their places in the world.
 
 #include "render/flatten/flatten.h"
 
 namespace ropelight {
 
-/// A mesh centred and scaled by a power of two to within [−1, 1], as a scene of its own; `toMesh` leads back to the
-/// space it came from: x_given = toMesh · x_kept.
+/// A mesh centred and scaled by a power of two to within [−1, 1], as a scene of its own. `toGiven` leads back to the
+/// space it came from: x_given = toGiven · x_kept.
 struct KeptMesh {
   std::shared_ptr<const FlatScene> scene;
   Mat4d toGiven{1.0};

@@ -1,5 +1,5 @@
 #pragma once
-// What rays meet: parallelograms, ellipsoids and triangles, and how.
+// What rays hit: parallelograms, ellipsoids and triangles, with their intersection tests.
 
 #include "render/core/ray.h"
 
@@ -111,11 +111,11 @@ RL_HD inline bool hitTriangle(const RayShear& shear, Vec3 p, Vec3 q, Vec3 r, Rea
   return t > 3 * (gammaBound(3) * maxE * maxZ + deltaE * maxZ + deltaZ * maxE) * abs(inverse);
 }
 
-/// Replaces `hit` where the triangle is met in (0, hit.t).
+/// Replaces `hit` where the ray hits the triangle in (0, hit.t).
 RL_HD inline void intersect(const Triangle& triangle, const RayShear& shear, std::uint32_t id, Hit& hit) {
   Vec3 const p = shear(triangle.a), q = shear(triangle.b), r = shear(triangle.c);
   Real u = edge(r, q), v = edge(p, r), w = edge(q, p);
-  if (u == 0 || v == 0 || w == 0) {  // by rounding, perhaps: small triangles far to the side would count as met
+  if (u == 0 || v == 0 || w == 0) {  // by rounding, perhaps: small triangles far to the side would count as hit
     u = edgeExact(r, q);
     v = edgeExact(p, r);
     w = edgeExact(q, p);
@@ -126,7 +126,7 @@ RL_HD inline void intersect(const Triangle& triangle, const RayShear& shear, std
 }
 
 /// The plane's distance first, which rules out most quads; then the watertight test of the four edges. u, v:
-/// coordinates along b − a and d − a, from the half of the quad that the ray meets.
+/// coordinates along b − a and d − a, from the half of the quad that the ray hits.
 RL_HD inline void intersect(const Quad& quad, const Ray& ray, const RayShear& shear, std::uint32_t id, Hit& hit) {
   Vec3 const toPlane = quad.a - ray.origin;
   Real const inverse = 1 / dot(quad.n, ray.direction);

@@ -11,7 +11,7 @@ namespace ropelight {
 /// A file that is written piece by piece to a temporary name beside its place, and takes its place with commit().
 /// Without that, also where writing failed, it leaves nothing behind, and what was at `path` stays as it was. A
 /// symbolic link keeps pointing where it did. Throws Error: badInput for a path that cannot be written (a folder, a
-/// device, a folder that is missing or closed to us), internal where writing fails half-way (a full disk).
+/// device, a folder that is missing or that we may not use), internal where writing fails half-way (a full disk).
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);

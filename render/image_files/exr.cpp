@@ -38,7 +38,7 @@ int channelCount(const Imf::Header& header) {
   return count;
 }
 
-/// The names, those of layers ("beauty.R") with the layer's.
+/// The channels' names; those in layers include the layer's name ("beauty.R").
 std::string channelNames(const Imf::Header& header) {
   constexpr int most = 24;
   std::string names;
@@ -73,7 +73,7 @@ Imf::Slice sliceOf(Image& image, const Imath::Box2i& window, int channel) {
                           sizeof(Rgb) * std::size_t(image.width));
 }
 
-/// What of the image over `from` lies in the window `to`, black around it.
+/// The image over `from`, cut or extended with black to the window `to`.
 Image place(const Image& image, const Imath::Box2i& from, const Imath::Box2i& to, Imath::V2i size) {
   Image placed(size.x, size.y);
   const Imath::V2i low(std::max(from.min.x, to.min.x), std::max(from.min.y, to.min.y));
@@ -133,7 +133,7 @@ std::string describeForeign(const Imf::Header& header) {
   return fmt::format("primaries {} {} {}, white {}", text(found[0]), text(found[1]), text(found[2]), text(found[3]));
 }
 
-/// Opens the file and hands it to `use`; what the library throws becomes an Error that names the file.
+/// Opens the file and calls `use` with it; what the library throws becomes an Error that names the file.
 template <class Use>
 auto withFile(const fs::path& path, Use use) {
   if (access(path.c_str(), R_OK) != 0)

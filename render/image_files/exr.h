@@ -33,9 +33,9 @@ Image readExr(const std::filesystem::path& path);
 /// names, in alphabetical order of the attributes. Throws Error as readExr does.
 Metadata readExrMetadata(const std::filesystem::path& path);
 
-/// What readExr's numbers are not in: "primaries (0.68 0.32) (0.265 0.69) (0.15 0.06), white (0.3127 0.329)", the
-/// CIE x and y that the file states for red, green, blue and white. Empty where it states none, or those of Rec. 709
-/// with D65 within 10⁻³. Throws Error as readExr does for files that cannot be opened.
+/// The colour space, where it is not the one that readExr assumes: "primaries (0.68 0.32) (0.265 0.69) (0.15 0.06),
+/// white (0.3127 0.329)", the CIE x and y that the file states for red, green, blue and white. Empty where it states
+/// none, or those of Rec. 709 with D65 within 10⁻³. Throws Error as readExr does for files that cannot be opened.
 std::string foreignColours(const std::filesystem::path& path);
 
 }  // namespace ropelight

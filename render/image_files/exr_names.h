@@ -1,14 +1,14 @@
 #pragma once
-// What reading and writing OpenEXR files have in common.
+// What the reader and the writer of OpenEXR files share.
 
 #include <string_view>
 
 namespace ropelight {
 
-/// Of the attributes that hold our metadata.
+/// Prefix of the attributes that hold our metadata.
 inline constexpr std::string_view exrPrefix = "ropelight.";
 
-/// Threads for OpenEXR's own pool, one a core; makes the pool.
+/// Threads for OpenEXR's own pool, one per core; creates the pool.
 int exrThreads();
 
 }  // namespace ropelight

@@ -19,8 +19,8 @@ ImageFormat imageFormatOf(const std::filesystem::path& path);
 /// Linear Rec. 709. Throws as readExr and readPng do.
 Image readImage(const std::filesystem::path& path);
 
-/// What the file says about its colours and readImage does not heed: a sentence's end such as "primaries (…), white
-/// (…)"; empty: nothing. Throws as readExr does for an EXR that cannot be opened.
+/// What the file says about its colours and readImage ignores: a sentence's end such as "primaries (…), white (…)";
+/// empty: nothing. Throws as readExr does for an EXR that cannot be opened.
 std::string ignoredColours(const std::filesystem::path& path);
 
 /// EXR holds the linear image and the metadata, PNG the tone-mapped image. Returns the count of non-finite pixels that

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-// Ours alone: another copy in the program (libstb, a user interface) stays apart.
+// Static, so that it does not clash with another copy in the program (libstb, a user interface).
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG

@@ -12,8 +12,8 @@
 
 namespace ropelight {
 
-/// Writes the image tone-mapped, 8 bits a channel, marked as sRGB. Returns the count of non-finite pixels, shown black.
-/// On all cores; the same bytes for any number of them. Throws Error as writeFile does, and for an image without
+/// Writes the image tone-mapped, 8 bits per channel, marked as sRGB. Returns the count of non-finite pixels, shown
+/// black. On all cores; the same bytes for any number of them. Throws Error as writeFile does, and for an image without
 /// pixels.
 std::uint64_t writePng(const std::filesystem::path& path, const Image& image, const Tonemap& tonemap = {},
                        const WriteProgress& progress = {});

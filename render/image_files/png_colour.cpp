@@ -79,7 +79,7 @@ bool wanted(const std::string& type) {
   return false;
 }
 
-/// Reads the data and the CRC of a chunk of which its type is known; nothing where it is damaged.
+/// Reads the data and the CRC of a chunk whose type has been read; nothing where it is damaged.
 std::optional<std::string> sound(std::istream& in, const std::string& type, std::uint32_t length) {
   constexpr std::uint32_t mostData = 1 << 24;
   if (length > mostData) return {};

@@ -17,7 +17,7 @@ namespace {
 constexpr int channels = 3;
 constexpr std::size_t bandBytes = 1 << 20;    // deflated by one thread, one IDAT chunk each
 constexpr std::size_t windowBytes = 1 << 15;  // how far back deflate looks
-constexpr int level = 3;                      // of renders, no larger than at 6 and twice as fast
+constexpr int level = 3;                      // renders come out no larger than at 6, twice as fast
 
 using Bytes = std::vector<std::uint8_t>;
 

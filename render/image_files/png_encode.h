@@ -14,7 +14,7 @@ namespace ropelight {
 using PngRows = std::function<void(int first, int count, std::uint8_t* out)>;
 
 /// Hands the file's bytes to `sink`, piece by piece and in order, marked as sRGB. The same for any number of threads.
-/// Needs a few MiB a thread, however large the image. width, height ≥ 1.
+/// Needs a few MiB per thread, however large the image. width, height ≥ 1.
 void encodePngRows(int width, int height, const PngRows& rows, const std::function<void(std::string_view)>& sink,
                    const WriteProgress& progress = {});
 

@@ -5,8 +5,9 @@
 namespace ropelight {
 namespace {
 
-/// What passes for an ear, strictest first; the next is tried where no corner passes. Simple outlines need the first
-/// two: with the first alone corners that lie on another's edge stay corners. The last two are for outlines that cross.
+/// Rules for what counts as an ear, strictest first; the next rule is tried where no corner passes. Simple outlines
+/// need the first two: with the first alone corners that lie on another's edge stay corners. The last two are for
+/// outlines that cross.
 enum class Rule { clear, exact, flat, touching, convex, any };
 
 class EarClipper {
@@ -53,7 +54,7 @@ class EarClipper {
       for (std::size_t k = 0; k < left_; k += 2, start = next_[next_[start]]) queue_.push_back(start);
   }
 
-  /// Cuts what passes, or its first alone, and then looks at the neighbours again; whether there was any.
+  /// Cuts all corners that pass, or only the first, and looks at their neighbours again. Returns whether any was cut.
   bool pass(bool firstAlone) {
     bool found = false;
     for (std::size_t k = 0; k < queue_.size() && left_ > 3 && !(found && firstAlone); ++k) {
@@ -67,7 +68,7 @@ class EarClipper {
     return found;
   }
 
-  /// A corner that repeats its neighbour, or the tip of a line that is walked to and fro.
+  /// A corner that repeats its neighbour, or the tip of a line that runs out and back.
   bool isSuperfluous(std::uint32_t i) const {
     return before(i) == points_[i] || points_[i] == after(i) || before(i) == after(i);
   }

@@ -93,7 +93,7 @@ void PolygonCutter::fan() {
   for (std::uint32_t i = 2; i < points_.size(); ++i) pieces_.emplace_back(0, i - 1, i);
 }
 
-/// Makes the pieces of the points.
+/// Cuts the points into pieces, and says what the polygon turned out to be.
 PolygonFacts PolygonCutter::divide() {
   PolygonFacts facts;
   double all = 0;

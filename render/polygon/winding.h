@@ -9,7 +9,7 @@
 
 namespace ropelight {
 
-/// Turns every triangle round.
+/// Reverses every triangle.
 void flip(Mesh& mesh);
 
 /// The volume that a mesh encloses, in cubic units of its own space: negative where its triangles face inwards. Nothing

@@ -6,11 +6,11 @@
 
 namespace ropelight {
 
-/// Counts over one file; all zero but the first where it was taken as it is.
+/// Counts over one file; all except the first are zero where the file was taken as it is.
 struct MeshReport {
   std::uint64_t polygons = 0;    ///< faces of more than three corners
   std::uint64_t notPlanar = 0;   ///< polygons that leave their plane by more than 10⁻³ of their size
-  double departure = 0;          ///< the most that one does, as a fraction of its size
+  double departure = 0;          ///< the largest such distance, as a fraction of its size
   std::uint64_t crossing = 0;    ///< polygons whose outline crosses itself
   std::uint64_t degenerate = 0;  ///< faces without an area, dropped
   std::uint64_t unused = 0;      ///< vertices that no face names

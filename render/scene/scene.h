@@ -47,7 +47,7 @@ struct FilmDesc {
   int height = 512;  ///< pixels
 };
 
-/// Diffuse emission: the same radiance (W·sr⁻¹·m⁻²) in all directions of a side.
+/// Diffuse emission: the same radiance (W·sr⁻¹·m⁻²) in all directions on a side.
 struct Emission {
   Rgb radiance{1.0f};
   Side side = Side::out;
@@ -65,7 +65,7 @@ struct Mesh {
   std::string file;
   std::vector<Vec3d> positions;
   std::vector<glm::uvec3> triangles;
-  bool flipped = false;  ///< its triangles are turned against those of the file
+  bool flipped = false;  ///< its triangles face the other way than in the file
   MeshReport report{};
 };
 
@@ -92,7 +92,7 @@ struct Scene {
   std::vector<NamedMaterial> materials;
   std::vector<Mesh> meshes;
   std::vector<ShapeDesc> shapes;
-  std::vector<std::string> notes;  ///< what the loader repaired, approximated or doubts; a line a file or a shape
+  std::vector<std::string> notes;  ///< what was repaired, approximated or is doubtful; a line per file or shape
 };
 
 /// Refuses what no format may hold: no shapes, values that are not finite, a camera without a direction, shapes that

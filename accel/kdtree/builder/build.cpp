@@ -163,7 +163,7 @@ class Builder {
     return heuristic.best();
   }
 
-  /// Whether the heuristic expects no less work than of a leaf.
+  /// Whether the heuristic expects the split to cost no less than a leaf.
   bool isDear(const KdPlane& plane, std::size_t primitives) const {
     return config_.split != KdSplit::midpoint && plane.cost >= double(primitives);
   }

@@ -21,7 +21,7 @@ struct KdDivision {
   std::vector<std::uint32_t> destination;  ///< by item of the parent: wasCut, or its index in a half << 1 | half
 };
 
-/// The plane must split the cell. Without `follow`, cutItems and destination stay empty.
+/// Divides the items; the plane must split the cell. Without `follow`, cutItems and destination stay empty.
 KdDivision divide(const std::vector<KdItem>& items, const KdBox& cell, const KdPlane& plane, const KdClipper& clipper,
                   bool follow);
 

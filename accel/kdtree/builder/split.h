@@ -15,7 +15,8 @@ struct KdPlane {
   double cost = std::numeric_limits<double>::infinity();  ///< expected, in units of one primitive test
 
   bool splits(const KdBox& cell) const { return axis >= 0 && position > cell.min[axis] && position < cell.max[axis]; }
-  /// Ties go to the lowest axis, then to the lowest position, so that no order of trial matters.
+  /// Ties go to the lowest axis, then to the lowest position, so that the order in which planes are tried does not
+  /// matter.
   bool betterThan(const KdPlane& other) const {
     return std::tie(cost, axis, position) < std::tie(other.cost, other.axis, other.position);
   }
@@ -56,14 +57,14 @@ class KdHeuristic {
 
   KdBox cell_;
   double traversalCost_, emptyBonus_;
-  double faces_[3], sides_[3];  ///< of the cell's area: the two faces across each axis, and the other four a unit of it
+  double faces_[3], sides_[3];  ///< share of the cell's area: faces across each axis; the other four, per unit length
   KdPlane best_;
 };
 
 /// The middle of the longest axis.
 KdPlane middlePlane(const KdBox& cell);
 
-/// Considers `bins` + 1 planes an axis, evenly spaced over the items' bounds: the outermost cut off empty space.
+/// Considers `bins` + 1 planes per axis, evenly spaced over the items' bounds: the outermost cut off empty space.
 void considerBins(std::span<const KdItem> items, int bins, KdHeuristic& heuristic);
 
 /// Considers every plane at which one of at most fewItems items begins or ends; for so few this is quicker than to sort

@@ -1,5 +1,5 @@
 #pragma once
-// Parts of a kd-tree while it is built: several threads make theirs apart, and the parts are put together once.
+// Parts of a kd-tree while it is built: each thread makes its own, and the parts are joined once at the end.
 
 #include <memory>
 #include <vector>

@@ -43,7 +43,7 @@ void considerAxis(const std::vector<KdEvent>& events, int axis, KdHeuristic& heu
   }
 }
 
-/// Events of the items that were not cut keep their order; those of cut ones are made anew and merged in.
+/// Events of the items that were not cut keep their order; those of cut items are made again and merged in.
 std::vector<KdEvent> eventsOfHalf(const std::vector<KdEvent>& events, const KdDivision& division, int half, int axis) {
   const KdHalf& to = division.half[half];
   std::vector<KdEvent> kept, cut, merged;

@@ -19,7 +19,7 @@ class KdEvent {
   float position() const;
   bool begin() const { return (key_ >> 31 & 1u) != 0; }
   std::uint32_t item() const { return std::uint32_t(key_) & 0x7FFFFFFFu; }
-  /// The same event of an item that has got another index.
+  /// The same event after its item's index has changed.
   KdEvent of(std::uint32_t item) const {
     KdEvent e;
     e.key_ = (key_ & ~std::uint64_t(0x7FFFFFFF)) | item;
@@ -33,7 +33,7 @@ class KdEvent {
   std::uint64_t key_ = 0;
 };
 
-/// The events of a cell's items, sorted; two an item along each axis.
+/// The events of a cell's items, sorted; two per item along each axis.
 class KdEvents {
  public:
   KdEvents() = default;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t columns = 8;
 using Cells = std::array<std::string, columns>;
 
-/// Empty for what there is not.
+/// Empty for values that are unknown.
 std::string number(double value, int digits) {
   if (!std::isfinite(value)) return "";
   return std::abs(value) >= std::pow(10, digits) ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);

@@ -9,7 +9,7 @@
 
 namespace ropelight {
 
-/// Of repeated runs, in the unit of the values.
+/// Median and range of repeated runs, in the unit of the values.
 struct Spread {
   double median = 0, min = 0, max = 0;
 };
@@ -31,13 +31,13 @@ struct BenchRow {
   bool failed = false;     ///< its results were wrong
   nlohmann::ordered_json details;
 
-  /// The rate of `count` things a run, in millions a second.
+  /// The rate of `count` items per run, in millions per second.
   void setRate(double count, const std::string& what);
 };
 
 struct BenchTable {
   std::string name;
-  std::string x;  ///< what the rows differ in
+  std::string x;  ///< what distinguishes the rows
   std::vector<BenchRow> rows;
   std::vector<std::string> remarks;  ///< printed below it
 };
@@ -68,10 +68,10 @@ std::string toText(const BenchResult& result);
 /// RFC 4180 with the header bench,table,series,x,median_s,min_s,max_s,rate,unit,device,threads,seed,settings,note.
 std::string toCsv(const std::vector<BenchResult>& results);
 
-/// One object a row.
+/// One object per row.
 nlohmann::ordered_json toJson(const std::vector<BenchResult>& results);
 
-/// Thousands apart: "2,073,600".
+/// With separators: "2,073,600".
 std::string grouped(std::uint64_t number);
 
 enum class Plotted { milliseconds, value };

@@ -1,5 +1,5 @@
 #pragma once
-// A row of a benchmark that is made of an integrator's statistics.
+// A benchmark's row, made from an integrator's statistics.
 
 #include "app/bench/results/result.h"
 #include "render/integrators/integrator.h"
@@ -9,7 +9,7 @@ namespace ropelight {
 /// What was timed of which scene; x is the first radius. `stats`: of the timed runs alone.
 BenchRow statsRow(const std::string& timed, const std::string& scene, const Stats& stats, std::vector<double> seconds);
 
-/// "TracePhotons 1.2, …": milliseconds an iteration by stage; empty where none were timed.
+/// "TracePhotons 1.2, …": milliseconds per iteration by stage; empty where none were timed.
 std::string stagesText(const Stats& stats);
 
 }  // namespace ropelight

@@ -24,7 +24,7 @@ struct BandPoint {
 /// How many runs have samples: an interrupted study may hold runs without any, which all figures here leave out.
 int seedsOf(const StudyMode& mode);
 
-/// The last place that all runs of a mode reach; nothing where they share none.
+/// The last x that all runs of a mode reach; nothing where there is none.
 std::optional<double> commonEnd(const StudyMode& mode, CurveAxis axis, bool trimmed);
 
 /// The error of all runs of a mode at x, each run interpolated between the logarithms of its samples; nothing where x
@@ -51,8 +51,8 @@ struct TimeTo {
 };
 TimeTo timeTo(const StudyMode& mode, double error, bool trimmed);
 
-/// What the seeds allow to be said of the lowest error at equal time, as one sentence: a mode is called best only where
-/// its 95% interval lies below all others'.
+/// One sentence on the lowest error at equal time, as far as the seeds support it: a mode is called best only where its
+/// 95% interval lies below all others'.
 std::string verdictOf(const StudyScene& scene, bool trimmed);
 
 }  // namespace ropelight

@@ -14,7 +14,7 @@ std::string slopeFigure(double value);
 /// With its unit, "12.3 ms" or "4.56 s".
 std::string duration(double seconds);
 
-/// What errorOf's figure is called.
+/// The name of errorOf's figure.
 const char* metricName(bool trimmed);
 
 /// "all CPU threads", "1 CPU thread", "2 CPU threads"; of the number asked for.

@@ -9,11 +9,11 @@
 
 namespace ropelight {
 
-/// The errors that the report's table asks the times to.
+/// The errors for which the report's table gives the time to reach them.
 inline constexpr double reportedErrors[] = {0.1, 0.01, 0.001};
 
 /// Error against seconds or iterations of all modes of a scene, log-log, with bands over the seeds; the fitted slopes
-/// stand in the curves' names.
+/// are part of the curves' names.
 LinePlot errorPlot(const Study& study, const StudyScene& scene, CurveAxis axis);
 
 /// One page that needs no network: for every scene the verdict, the table of times to reach an error, start-up, slopes,
@@ -21,7 +21,7 @@ LinePlot errorPlot(const Study& study, const StudyScene& scene, CurveAxis axis);
 /// before them, with more than one scene, one table of all scenes × modes.
 std::string toHtml(const Study& study);
 
-/// RFC 4180, a line a sample: scene,mode,seed,seconds,iterations,relmse,relmse_trimmed,mse,rmse,psnr,mean_error,
+/// RFC 4180, one line per sample: scene,mode,seed,seconds,iterations,relmse,relmse_trimmed,mse,rmse,psnr,mean_error,
 /// max_error,non_finite,device,threads.
 std::string toCsv(const Study& study);
 

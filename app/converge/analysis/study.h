@@ -30,7 +30,7 @@ struct StudyRun {
 /// channels): bias² = mean((mean of the runs − reference)²) − variance/S − the reference's own variance.
 struct ErrorSplit {
   double mse = unknown;
-  double bias2 = unknown;     ///< may come out negative: then it is below what S seeds can show
+  double bias2 = unknown;     ///< may be negative: then it is smaller than S seeds can show
   double variance = unknown;  ///< of one run; unknown with one seed
   double referenceVariance = unknown;
 };
@@ -50,7 +50,7 @@ struct StudyMode {
   double setupSeconds = 0;           ///< making the integrator: flattening, tree, buffers
   double treeSeconds = 0;            ///< the tree's share of it; 0 where none is built or the modes share one
   double firstIterationSeconds = 0;  ///< of an iteration before the runs, which the curves leave out
-  std::vector<StudyRun> runs;        ///< one a seed
+  std::vector<StudyRun> runs;        ///< one per seed
   ErrorSplit split;
   Image picture;              ///< of the first seed at equal time
   double pictureSeconds = 0;  ///< when that was

@@ -19,7 +19,7 @@ Indices measuredModes(const StudyScene& scene) {
   return modes;
 }
 
-/// One seed says nothing of chance.
+/// One seed says nothing about chance.
 bool haveBands(const StudyScene& scene, const Indices& modes) {
   return std::all_of(modes.begin(), modes.end(), [&](std::size_t i) { return seedsOf(scene.modes[i]) > 1; });
 }

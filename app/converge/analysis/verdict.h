@@ -10,7 +10,7 @@ namespace ropelight {
 
 struct EqualTime {
   double seconds = unknown;                     ///< the last that all modes with samples reach; unknown without any
-  std::vector<std::optional<BandPoint>> bands;  ///< one a mode; nothing where it has no error at that time
+  std::vector<std::optional<BandPoint>> bands;  ///< one per mode; empty where it has no error at that time
 };
 EqualTime atEqualTime(const StudyScene& scene, bool trimmed);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of an HTML page. What is named html holds markup already; everything else is text and gets escaped.
+// Pieces of an HTML page. Names with html hold markup already; everything else is text and is escaped.
 
 #include <string>
 #include <string_view>
@@ -30,7 +30,7 @@ std::string modeHtml(const std::string& label, std::size_t index);
 std::string rangeHtml(const std::string& median, const std::string& low, const std::string& high);
 std::string rangeHtml(const BandPoint& band);
 
-/// How many runs came how soon to an error.
+/// How many runs reached an error, and after what time.
 std::string timeHtml(const TimeTo& time, int seeds);
 
 /// An <img> that holds its own data (RFC 2397).

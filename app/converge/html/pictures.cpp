@@ -29,7 +29,7 @@ std::string modePicture(const StudyScene& scene, std::size_t index, bool trimmed
                      figure(errorOf(metrics, trimmed)), figure(mode.pictureFlip));
 }
 
-/// Below it stands how to read the error maps beside it.
+/// Below it is the scale of the error maps beside it.
 std::string referencePicture(const Image& image) {
   return fmt::format(
       "<figure>{}<figcaption><b>reference</b></figcaption>\n<div class=\"scale\"></div><div "

@@ -22,7 +22,7 @@ std::string slopeHtml(const Slope& slope) {
 
 std::string bandHtml(const std::optional<BandPoint>& band) { return band ? rangeHtml(*band) : "–"; }
 
-/// Of the runs' last samples, each in the unit of `value`.
+/// Over the runs' last samples, in the unit of `value`.
 template <class Value>
 Spread lastOf(const StudyMode& mode, Value value) {
   std::vector<double> values;

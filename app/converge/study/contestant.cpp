@@ -11,7 +11,7 @@
 namespace ropelight {
 namespace {
 
-constexpr double spacing = 1.3335214321633240;  // 8 samples a decade
+constexpr double spacing = 1.3335214321633240;  // 8 samples per decade
 constexpr double batchSeconds = 0.1;
 constexpr std::uint64_t mostIterations = 4096;
 constexpr double doubtfulShare = 0.5;  // of an error that the reference's own noise may make up
@@ -43,7 +43,7 @@ std::string noiseWarning(const StudyReference& reference, const Metrics& metrics
       reference.noise, error);
 }
 
-/// The reasons for doubt, one after the other.
+/// The reasons for doubt, in order.
 std::string warningsOf(const StudyMode& mode, const StudyReference& reference, bool trimmed) {
   std::string text;
   auto const add = [&](const std::string& reason) { text += (text.empty() || reason.empty() ? "" : "; ") + reason; };

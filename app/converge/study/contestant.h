@@ -13,11 +13,11 @@ class Contestant {
  public:
   Contestant(const Scene& scene, const ModeSpec& spec, const RunnerOptions& options, std::shared_ptr<SceneCache> cache);
 
-  /// One iteration apart from the runs, on which the kernels are loaded and the buffers grow.
+  /// One iteration before the runs, in which the kernels are loaded and the buffers grow.
   void warmUp();
   /// The mean of the iterations since warmUp() or start().
   Image film() const { return integrator_->film(); }
-  /// Begins the run of number k, from nothing, with the k-th seed after the mode's own.
+  /// Begins run k with an empty film and the k-th seed after the mode's own.
   void start(int k);
   /// About a tenth of a second of iterations at most, and a sample where one is due.
   void advance(const StudyReference& reference);
@@ -27,9 +27,9 @@ class Contestant {
   /// Keeps the film as the picture at equal time.
   void takePicture();
   bool pictured() const { return !mode_.picture.pixels.empty(); }
-  /// Adds the film to what the split of the error is made of.
+  /// Adds the film to the sums for the split of the error.
   void endRun();
-  /// What came of it; the runs are over.
+  /// The results; to be called after the runs.
   StudyMode result(const StudyReference& reference, bool trimmed);
   const Settings& settings() const { return mode_.settings; }
   std::string device() const { return integrator_->stats().device; }

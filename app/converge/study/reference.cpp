@@ -17,13 +17,13 @@ constexpr double trialShare = 0.1;                       // of the time, for eac
 constexpr double biasExponent = 2.0 / 3.0;               // of bias² over iterations, at the default α
 constexpr double referenceRadius = 0.5;  // of the automatic one: a 16th of the bias², four times the noise
 
-/// One half of a reference, and what the whole is told by.
+/// One half of a reference, and what describes it.
 struct Half {
   Image film;
   Stats stats;
 };
 
-/// At least one iteration; ends early where it is asked to.
+/// At least one iteration; ends early when asked to.
 Half renderHalf(Integrator& integrator, const ReferenceOptions& options) {
   double const seconds = options.seconds / 2;
   std::uint64_t const iterations = std::max<std::uint64_t>(1, options.iterations / 2);
@@ -103,7 +103,7 @@ StudyReference makeBy(const std::string& mode, const ReferenceOptions& options, 
   return reference;
 }
 
-/// Which of the two has less error to be expected: path its noise; sppm its noise and its bias, which is how far the
+/// Which of the two will probably have less error: path its noise; sppm its noise and its bias, which is how far the
 /// two trials differ beyond their noise.
 bool pathIsBetter(const ReferenceOptions& options, const Workshop& shop) {
   ReferenceOptions trial = options;

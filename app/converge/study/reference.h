@@ -33,7 +33,7 @@ StudyReference readReference(const ReferenceOptions& options, const Scene& scene
 /// ε of relMSE: what is asked for, or 0.01·mean(reference²).
 double relativeEpsilon(const Image& reference, std::optional<double> asked);
 
-/// Makes it of two independent halves, whose difference gives the noise of their mean. What both halves have in
+/// Makes it from two independent halves, whose difference gives the noise of their mean. What both halves have in
 /// common, such as the bias that a gather radius leaves, the noise does not show; sppm takes half the automatic radius,
 /// so that it is less.
 StudyReference makeReference(const ReferenceOptions& options, const Scene& scene, const Settings& base,

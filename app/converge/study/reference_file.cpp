@@ -13,7 +13,7 @@ namespace ropelight {
 namespace {
 
 constexpr int largestTile = 32, tilesAcross = 16;
-constexpr double farOff = 0.08;  // of the scenes at hand one's glimpse is within 2%, another's 8 to 36% off
+constexpr double farOff = 0.08;  // in our scenes, the same scene is within 2%, another one is 8 to 36% off
 
 std::string textOf(const MetadataValue& value) {
   if (auto const* text = std::get_if<std::string>(&value)) return *text;
@@ -44,7 +44,7 @@ void requireColours(const std::string& file) {
     throw Error(fmt::format("{}: its colours are not linear Rec. 709's but have {}; convert it first", file, colours));
 }
 
-/// What ropelight wrote of the rendering must fit; a file of another program says nothing.
+/// Metadata that ropelight wrote must fit; a file of another program has none.
 void requireMetadata(const std::string& file, const Metadata& metadata, const Scene& scene, const Settings& resolved) {
   if (auto const of = find(metadata, "scene"); of && stemOf(*of) != stemOf(scene.file))
     throw Error(fmt::format("{}: it was rendered of the scene '{}', not of '{}'; render one of this scene", file,

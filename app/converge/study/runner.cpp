@@ -32,7 +32,7 @@ class Round {
     if (options.limits.seconds > 0) equalTime_ = options.limits.seconds;
   }
 
-  /// Progress counts on from what the rounds before came to.
+  /// Progress continues from the rounds before.
   void run(std::uint64_t& iterations, double& seconds) {
     while (Contestant* const next = leastServed()) {
       if (options_.stop && options_.stop()) break;

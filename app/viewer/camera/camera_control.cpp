@@ -135,7 +135,7 @@ double CameraControl::leastDistance(Vec3d target) const { return leastShare * st
 void CameraControl::orbit(double right, double up) {
   if (!std::isfinite(right) || !std::isfinite(up)) return;
   Axes const axes(camera_);
-  // Who walks to the right and looks at the same point turns to the left.
+  // Moving to the right while looking at the same point turns the view to the left.
   Vec3d const forward = turned(axes, unit(camera_.up), -right, -up);
   accept(camera_.target - forward * axes.distance, camera_.target);
 }

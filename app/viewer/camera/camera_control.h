@@ -24,7 +24,7 @@ class CameraControl {
   void reset();
 
   const CameraDesc& camera() const { return camera_; }
-  /// Mends what no picture can be made of, such as an up along the view; ignores a camera that is not finite.
+  /// Repairs a camera that cannot make a picture, such as an up along the view; ignores a camera that is not finite.
   void setCamera(const CameraDesc& camera);
 
   /// Takes the camera right and up around the target, by angles in radians; stops short of the poles of its up vector.

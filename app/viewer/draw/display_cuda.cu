@@ -10,13 +10,13 @@
 namespace ropelight::view {
 namespace {
 
-/// The error in words; also takes it off the thread's record, where a later check would find it.
+/// The error in words; also clears it, so that a later check does not find it.
 std::string words(const char* call, cudaError_t code) {
   (void)cudaGetLastError();
   return std::string(call) + ": " + cudaGetErrorString(code);
 }
 
-/// What CUDA knows of a GL buffer, until the buffer goes or changes its size.
+/// CUDA's registration of a GL buffer, until the buffer is deleted or changes its size.
 class Registration {
  public:
   static std::shared_ptr<Registration> of(const GlBuffer& buffer, std::string& problem) {

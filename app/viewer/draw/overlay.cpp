@@ -18,7 +18,7 @@ struct LineVertex {
 
 constexpr std::size_t cellVertices = 24;
 
-/// The twelve edges of a box as pairs of corners; bit a of a corner: at the box's upper end of axis a.
+/// The twelve edges of a box as pairs of corners. Bit a of a corner: it is at the upper end of axis a.
 std::array<int, cellVertices> boxEdges() {
   std::array<int, cellVertices> edges{};
   std::size_t next = 0;

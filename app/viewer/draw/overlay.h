@@ -30,7 +30,7 @@ class Overlay {
   /// Throws Error (internal) where the shaders fail.
   Overlay();
 
-  /// Brings A's photons and cells to the GPU where the state shows them, and gives up what it does not show.
+  /// Copies A's photons and cells to the GPU where the state shows them, and frees what it does not show.
   void update(PixelSource& source, Picture& picture, const EstimateStatus& status, const ViewState& state);
   /// Over the picture as its latest draw() left it. `camera` is that of the pixels shown, `scale` that of point sizes.
   void draw(const Picture& picture, const CameraDesc& camera, const ViewState& state, int framebufferHeight,

@@ -27,12 +27,11 @@ class Picture {
   /// Pixels come from the memory of this GPU (−1: from host memory). Throws Error (internal) where the shaders fail.
   Picture(int gpu, bool allowInterop);
 
-  /// Brings what changed into the textures that the state needs, and gives up those that it does not need. Once a
-  /// frame.
+  /// Copies what changed into the textures that the state needs, and frees those that it does not need. Once a frame.
   void update(PixelSource& source, const std::array<EstimateStatus, 3>& estimates, const ReferenceStatus& reference,
               const ViewState& state);
   /// Draws into `place`, of a framebuffer of that height, the layout's pictures letterboxed on a dark ground. `seconds`
-  /// drive the flicker. Leaves the whole framebuffer's scissor and viewport to set to whoever draws next.
+  /// drive the flicker. Scissor and viewport of the whole framebuffer are left for the next caller to set.
   void draw(const Rect& place, int framebufferHeight, const ViewState& state, double seconds);
 
   /// Where the picture on a side (0: A or the only one; 1: what A is compared with) lies, by the latest draw().
@@ -64,7 +63,7 @@ class Picture {
   DisplayTimes times() const;
   /// For the overlay's buffers.
   PixelPath& path() { return *path_; }
-  /// Fills a buffer by the current path, or by copying from the first failure on.
+  /// Fills a buffer by the current path; from the first failure on, by copying.
   Filled fill(GlBuffer& buffer, std::size_t bytes, const std::function<bool(void*)>& write);
 
  private:

@@ -1,4 +1,4 @@
-// Picture's second half: where the layouts lie, and drawing them.
+// The second half of Picture: places the layouts, and draws them.
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
-// A part of the window as it was drawn, put back while nothing in it changes: a software GL then copies, where it would
-// run the display pass for every pixel of every frame.
+// A part of the window as it was drawn, put back while nothing in it changes: a software GL then copies pixels instead
+// of running the display pass for every pixel of every frame.
 
 #include <optional>
 

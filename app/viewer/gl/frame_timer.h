@@ -56,7 +56,7 @@ class CpuTimer {
   using Clock = std::chrono::steady_clock;
   void begin() { start_ = Clock::now(); }
   void end() { frame_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
-  /// Takes all that was measured since the last frame for one value.
+  /// Makes one value of all that was measured since the last frame.
   void endFrame();
   double milliseconds() const { return times_.median(); }
 

@@ -38,7 +38,8 @@ class GlName {
   GLuint name_;
 };
 
-/// A buffer object. What another API keeps about it (a CUDA registration) hangs on it, and goes before its memory does.
+/// A buffer object. What another API keeps for it (a CUDA registration) is attached to it, and is released before its
+/// memory.
 class GlBuffer {
  public:
   GlBuffer();

@@ -11,7 +11,7 @@ struct Rect {
   bool operator==(const Rect&) const = default;
   bool empty() const { return width <= 0 || height <= 0; }
   bool contains(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
-  /// Its lower edge as GL counts, from the framebuffer's bottom.
+  /// Its lower edge counted from the framebuffer's bottom, as GL does.
   int bottom(int framebufferHeight) const { return framebufferHeight - y - height; }
 };
 

@@ -46,7 +46,7 @@ GLFWwindow* open(const std::string& title, int width, int height, bool resizable
   return glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
 }
 
-/// What there is where neither version asked for can be had: the version of a default context, or why there is none.
+/// What is available where neither required version is: the version of a default context, or why there is none.
 std::string foundInstead() {
   std::string const problem = latestProblem();
   GLFWwindow* const window = open("", 16, 16, false, 1, 0);

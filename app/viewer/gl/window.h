@@ -30,11 +30,11 @@ class Window {
 
   bool shouldClose() const;
   void setTitle(const std::string& title);
-  /// Asks the window manager; what comes of it shows in windowSize() after later polls.
+  /// Asks the window manager; the result shows in windowSize() after later polls.
   void resize(int width, int height);
   void setVsync(bool on);
 
-  /// Handles what is there to handle; waits at most that long for the first of it.
+  /// Handles pending events; waits at most that long for the first one.
   void poll(double timeoutSeconds = 0);
   void swap();
   /// Files dropped on the window since the last call.

@@ -49,7 +49,7 @@ class Controls {
   std::string notice_;
 };
 
-/// The layout after, or the tone curve after, in menu order.
+/// The next layout, and the next tone curve, in menu order.
 Layout nextLayout(Layout layout);
 Curve nextCurve(Curve curve);
 

@@ -93,7 +93,7 @@ void Script::advance(const Now& now, ScriptRequests& requests) {
   finish(inputFrames(command, {}, held_));
 }
 
-/// A press where the last one was waits at its place until it cannot be taken for the other half of a double click.
+/// A press at the place of the last one waits until it cannot be taken for the second half of a double click.
 void Script::finish(std::deque<ScriptInput> frames) {
   const ScriptInput& first = frames.front();
   bool const near = std::abs(first.x - lastPress_.x) < clickReach && std::abs(first.y - lastPress_.y) < clickReach;

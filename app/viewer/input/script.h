@@ -1,6 +1,6 @@
 #pragma once
-// A script of input: what a person would do with mouse, keys and files, one command a line. It sets ImGui's input
-// before a frame, so that everything behind is the code that a person drives.
+// A script of input: what a person would do with mouse, keys and files, one command per line. It sets ImGui's input
+// before a frame, so that everything after it is the same code that a person's input drives.
 
 #include <deque>
 #include <string>
@@ -29,7 +29,7 @@ class Script {
 
   /// False after the last command's last frame, and after a problem.
   bool running() const { return !commands_.empty() || !frames_.empty(); }
-  /// Where the program stands, for the wait commands: iterations of A (0 where not ready) and seconds since the start.
+  /// The program's progress, for the wait commands: iterations of A (0 where not ready) and seconds since the start.
   /// Called once a frame, after the backend's and before ImGui's NewFrame. Leaves io alone where nothing is running.
   ScriptRequests apply(ImGuiIO& io, double seconds, double iterations, bool busy);
   /// The files that its commands write, in their order.
@@ -38,7 +38,7 @@ class Script {
   const std::string& problem() const { return problem_; }
 
  private:
-  /// What the program tells in a frame.
+  /// What the program reports in a frame.
   struct Now {
     double seconds, iterations;
     bool busy;

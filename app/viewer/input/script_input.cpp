@@ -18,7 +18,7 @@ class Recorder {
   ScriptInput& now() { return now_; }
   std::deque<ScriptInput> take() { return std::move(frames_); }
 
-  /// What happens at once and not for long is gone in the frame after.
+  /// Events that last for one frame are gone in the next.
   void frame(int count = 1) {
     for (int i = 0; i < count; ++i) {
       frames_.push_back(now_);
@@ -103,7 +103,7 @@ void key(Recorder& r, const ScriptCommand& c) {
   r.modifiers(false, false, false);
 }
 
-/// A ctrl+click makes a text box of a slider.
+/// A ctrl+click turns a slider into a text box.
 void set(Recorder& r, const ScriptCommand& c, const WidgetPlace& place) {
   r.moveTo(from(c, place));
   r.modifiers(false, true, false);

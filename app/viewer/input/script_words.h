@@ -11,7 +11,7 @@ struct Refusal {
   std::string why;
 };
 
-/// Words are parted by blanks; "…" keeps blanks in a word, with \" and \\ in it; # at a word's start ends the line.
+/// Words are separated by blanks; "…" keeps blanks in a word, with \" and \\ in it; # at a word's start ends the line.
 /// Throws Refusal.
 std::vector<std::string> splitLine(const std::string& line);
 

@@ -51,7 +51,7 @@ void drawLegend(const ToneSettings& tone) {
   ImGui::Dummy({width, 2 * line + ImGui::GetStyle().ItemSpacing.y});
 }
 
-// The end that was not moved gives way.
+// Where the two ends cross, moves the one that the user did not move.
 void keepOrdered(ToneSettings& tone, bool lowMoved) {
   constexpr float least = 1e-30f;
   tone.falseHigh = std::max(tone.falseHigh, 10 * least);

@@ -15,7 +15,7 @@
 namespace ropelight::view {
 namespace {
 
-// What is typed and not yet used is no state of the view.
+// Typed but not yet used: not part of the view's state.
 std::string path, name;
 bool focusWanted = false;
 

@@ -53,7 +53,7 @@ std::string progress(const EstimateStatus& status, const Settings& settings) {
                      status.stats.seconds, iterationRate(status.stats));
 }
 
-// One line an estimate; with two of them also the choice of which one the panel edits.
+// One line per estimate; with two of them also the choice of which one the panel edits.
 void drawEstimates(PanelContext& context) {
   ViewState& state = context.state;
   if (!state.compare.enabled) {

@@ -43,12 +43,12 @@ inline constexpr int magnified = 11;
 void drawPanel(PanelContext& context, float width);
 
 /// The parts, each in its own file.
-void drawSettings(PanelContext& context);    ///< panel_settings.cpp: from Settings::params
-void drawDisplay(PanelContext& context);     ///< panel_display.cpp: tone, overlays
-void drawCamera(PanelContext& context);      ///< panel_camera.cpp
-void drawCompare(PanelContext& context);     ///< panel_compare.cpp
-void drawStatistics(PanelContext& context);  ///< panel_statistics.cpp: rates, stages, memory, features
-void drawFiles(PanelContext& context);       ///< panel_files.cpp
+void drawSettings(PanelContext& context);    ///< settings.cpp: from Settings::params
+void drawDisplay(PanelContext& context);     ///< display.cpp: tone, overlays
+void drawCamera(PanelContext& context);      ///< camera.cpp
+void drawCompare(PanelContext& context);     ///< compare.cpp
+void drawStatistics(PanelContext& context);  ///< statistics.cpp: rates, stages, memory, features
+void drawFiles(PanelContext& context);       ///< files.cpp
 void focusPathBox();                         ///< the next drawFiles opens and asks for a path (Ctrl+O)
 void drawErrorPlot(PanelContext& context);   ///< error_plot.cpp: log-log, a window of its own
 void drawInspector(PanelContext& context);   ///< inspector.cpp: a window of its own

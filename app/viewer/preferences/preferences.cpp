@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t mostRecent = 32, mostViews = 256;
 
-// One list a group: the same names and limits for reading and for writing.
+// One list per group: the same names and limits for reading and for writing.
 
 template <class V>
 void tone(V& v, ToneSettings& t) {
@@ -29,7 +29,7 @@ void tone(V& v, ToneSettings& t) {
   v("markNonFinite", t.markNonFinite);
 }
 
-/// What costs machine time (B, a reference of our own) is asked for anew in every run.
+/// What costs machine time (B, an accumulated reference) must be asked for again in every run.
 template <class V>
 void compare(V& v, CompareSettings& c) {
   v.choice("layout", c.layout, {"single", "split", "sideBySide", "flicker", "difference"});

@@ -9,7 +9,7 @@
 namespace ropelight::view {
 
 struct Preferences {
-  ViewState state;  ///< of it: tone, compare's layout, overlays, panels, recent; settings are the scene's
+  ViewState state;  ///< kept of it: tone, compare's layout, overlays, panels, recent; not the settings
   std::vector<SavedView> views;
   double speed = 1;
   int width = 1280, height = 800;  ///< of the window

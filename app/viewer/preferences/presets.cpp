@@ -5,7 +5,7 @@
 namespace ropelight::view {
 namespace {
 
-constexpr float dimmed = 0.2f;  // picture under the points of the photon view
+constexpr float dimmed = 0.2f;  // brightness of the picture under the points of the photon view
 
 Settings& edited(ViewState& state) { return state.settings[std::size_t(state.edited)]; }
 const Settings& edited(const ViewState& state) { return state.settings[std::size_t(state.edited)]; }

@@ -1,6 +1,6 @@
 #pragma once
-// The views of the menu: each is a few settings of the edited estimate, the overlays that belong to it, and a tone
-// curve that makes its numbers visible. Plain data, no window.
+// The presets of the panel's view menu: each is a few settings of the edited estimate, the overlays that belong to it,
+// and a tone curve that makes its numbers visible. Plain data, no window.
 
 #include <optional>
 #include <string>
@@ -37,7 +37,7 @@ inline constexpr Preset presets[] = {
     {.name = "albedo", .doc = "of the first hit", .mode = "", .aov = "albedo"},
 };
 
-/// Lengths that the scale of a scalar view starts from.
+/// Lengths from which the scale of a scalar view is set at first.
 struct ViewScale {
   double distance = 1;     ///< from the camera to its target
   double firstRadius = 0;  ///< of the gather; 0: unknown

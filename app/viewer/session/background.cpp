@@ -17,7 +17,7 @@ class WorkersGiveWay : public oneapi::tbb::task_scheduler_observer {
 
 }  // namespace
 
-/// One for the program, never destroyed: the scheduler keeps a piece of every observer that comes and goes.
+/// One for the program, never destroyed: the scheduler keeps memory for every observer that was ever made.
 void workersGiveWay() {
   static WorkersGiveWay* volatile const observer = new WorkersGiveWay;  // volatile: kept, so that it is no leak
   (void)observer;

@@ -1,12 +1,12 @@
 #pragma once
-// Threads that give way to the window: at a lower priority the interface stays fluent while all cores render.
+// Lower priority for rendering threads, so that the interface stays fluent while all cores render.
 
 namespace ropelight::view {
 
 /// Lowers the priority of the calling thread alone.
 void giveWay();
 
-/// From now on the scheduler's workers give way.
+/// From now on the scheduler's workers run at a lower priority.
 void workersGiveWay();
 
 }  // namespace ropelight::view

@@ -1,5 +1,5 @@
 #pragma once
-// Makes integrators on a thread of its own, one order after the other, while the present ones go on.
+// Makes integrators on a thread of its own, one order after the other, while the present ones continue.
 
 #include <future>
 #include <memory>
@@ -28,7 +28,7 @@ struct Built {
   Order order;                                           ///< its cache made
   std::vector<std::unique_ptr<Integrator>> integrators;  ///< one an item; null where it failed
   std::vector<std::string> problems;                     ///< one an item
-  std::string problem;                                   ///< of the scene itself, or of its first item
+  std::string problem;                                   ///< of the scene itself, or of the first item
   std::string backendText;
 };
 
@@ -38,7 +38,7 @@ class Builder {
   bool busy() const { return built_.valid(); }
   /// Must not be busy.
   void start(Order order);
-  /// What was ordered, once, when it is done.
+  /// The result, once, when it is done.
   std::optional<Built> take();
 
  private:

@@ -161,7 +161,7 @@ bool Estimate::copyPixels(void* to, std::size_t capacity, int& width, int& heigh
   if (!integrator || !shown_.ready || bytes > capacity) return false;
   try {
     integrator->copyPixels(to);
-  } catch (const std::exception&) {  // the render thread meets it too, and says so
+  } catch (const std::exception&) {  // the render thread runs into it too, and reports it
     return false;
   }
   width = shown_.width;

@@ -1,5 +1,5 @@
 #pragma once
-// One estimate as the render thread drives it: its integrator, what that was last told, and its measurements.
+// One estimate as the render thread drives it: its integrator, what it was last asked for, and its measurements.
 
 #include <mutex>
 
@@ -22,12 +22,12 @@ Settings draftOf(const Settings& settings, const FilmDesc& film, int scale, doub
 
 class Estimate {
  public:
-  /// Takes a new integrator, or gives up the old one (null).
+  /// Takes a new integrator, or releases the old one (null).
   void install(std::unique_ptr<Integrator> integrator, const Target& target);
-  /// Restarts for the target, coarser by `scale`; `still`: the automatic radius may be looked for anew. False where
+  /// Restarts for the target, coarser by `scale`; `still`: the automatic radius may be searched again. False where
   /// another integrator is needed; throws as Integrator::restart.
   bool restart(const Target& target, const FilmDesc& film, int scale, bool still);
-  /// The same once more, from an empty film.
+  /// The same settings again, from an empty film.
   void reset();
   /// Adds iterations. False where it was interrupted.
   bool advance(int count);
@@ -36,9 +36,9 @@ class Estimate {
 
   /// Iterations that take about `seconds`; at least 1.
   int batchFor(double seconds) const;
-  /// Nobody knows yet what an iteration takes.
   /// Whether there are pixels of the present film to copy.
   bool presented() const { return shown_.ready; }
+  /// Whether the time of an iteration is not known yet.
   bool unmeasured() const { return fullSeconds_ == 0; }
   /// The coarsening at which one iteration takes at most `seconds`: 1, 2, 4 or 8.
   int scaleFor(double seconds) const;
@@ -54,7 +54,7 @@ class Estimate {
   Target applied;
   int scale = 1;
   bool settled = true;  ///< restarted since the last change, at full size
-  double clock = 0;     ///< share of the machine's time, to be fair by
+  double clock = 0;     ///< time used so far, for sharing the machine fairly
   std::string problem;
   std::uint32_t shownPhotons = 0;     ///< that the latest present() was asked for
   std::uint64_t measuredVersion = 0;  ///< of the reference, at the latest measure()

@@ -81,7 +81,7 @@ bool RenderThread::settled(const Wanted& now) const {
   return true;
 }
 
-/// Whether an estimate is still to become what is wanted.
+/// Whether an estimate still differs from what is wanted.
 bool RenderThread::pending(int k, const Wanted& now) const {
   const Estimate& e = estimates[k];
   if (!now.enabled[std::size_t(k)] || !scene || e.failed) return false;
@@ -89,7 +89,7 @@ bool RenderThread::pending(int k, const Wanted& now) const {
   return refused_[std::size_t(k)] != target && (!e.integrator || !e.settled || e.applied != target);
 }
 
-/// What nobody expected ends the estimates, not the program.
+/// An unexpected exception ends the estimates, not the program.
 bool RenderThread::guardedTurn(const Wanted& now) {
   try {
     return turn(now);
@@ -102,7 +102,7 @@ bool RenderThread::guardedTurn(const Wanted& now) {
   }
 }
 
-/// One round of what there is to do; false where there was nothing.
+/// One round of work; false where there was nothing to do.
 bool RenderThread::turn(const Wanted& now) {
   if (takeBuilt(now)) {  // the camera may be another scene's now
     std::lock_guard const lock(mutex);
@@ -159,8 +159,8 @@ bool RenderThread::takeBuilt(const Wanted& now) {
   return true;
 }
 
-/// A new integrator has as much of the time as the one that had least. On a CPU its first picture is a draft, so that
-/// it comes soon and tells what an iteration takes.
+/// A new integrator starts with the clock of the one that had least time. On a CPU its first picture is a draft, so
+/// that it comes soon and shows how long an iteration takes.
 void RenderThread::begin(int k, const Wanted& now, double clock) {
   Estimate& e = estimates[k];
   e.clock = clock;
@@ -253,7 +253,7 @@ void RenderThread::restart(int k, const Target& target, const Wanted& now, int s
   }
 }
 
-/// Settings that cannot be had leave the old ones, which go on under the new camera.
+/// Where settings cannot be used, the old ones continue with the new camera.
 void RenderThread::keepSettings(int k, const Wanted& now) {
   Estimate& e = estimates[k];
   broken_[std::size_t(k)] = false;

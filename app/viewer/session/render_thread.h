@@ -49,8 +49,8 @@ class RenderThread {
   /// Under the mutex: whether anything asked for is still to come.
   bool busy() const { return busyShown || published != asked || wanted.scene; }
 
-  /// Under the mutex: a running iteration that nobody wants any more is given up. Drafts are left to end, so that
-  /// something is shown.
+  /// Under the mutex: gives up a running iteration that is no longer wanted. Drafts are finished, so that something is
+  /// shown.
   void interrupt(int k);
   void interruptAll();
   void dropAccumulated();
@@ -110,7 +110,7 @@ class RenderThread {
   bool const lockStep_;
   std::condition_variable wake, idle;
   std::uint64_t asked = 0, answered = 0;
-  std::uint64_t published = 0;  ///< that the statuses shown know of
+  std::uint64_t published = 0;  ///< the last request that the shown statuses cover
   std::array<Integrator*, count> interruptible_{};
   int filmAsked_ = -1;
   std::pair<Image, Stats> filmAnswer_;
@@ -118,7 +118,7 @@ class RenderThread {
 
   // The thread's own.
   std::shared_ptr<SceneCache> cache_;
-  std::array<bool, count> broken_{};     ///< interrupted: only a restart helps
+  std::array<bool, count> broken_{};     ///< interrupted: a restart must follow
   std::array<Target, count> refused_{};  ///< not to be tried again
   Builder builder_;
   std::thread thread_;

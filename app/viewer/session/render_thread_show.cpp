@@ -26,7 +26,7 @@ void RenderThread::measure(Estimate& e) {
   e.measure(image.get(), imageVersion);
 }
 
-/// What is shown of an estimate that does not go on follows what is asked of it: photons, and the reference.
+/// An estimate that is paused still shows what is newly asked for: photons, and errors against the reference.
 bool RenderThread::refresh(int k, const Wanted& now) {
   Estimate& e = estimates[k];
   EstimateStatus const& s = shown[std::size_t(k)];
@@ -48,7 +48,7 @@ bool RenderThread::refresh(int k, const Wanted& now) {
   return worked;
 }
 
-/// The reference that accumulates is looked at whenever it has doubled.
+/// An accumulating reference is read whenever its iterations have doubled.
 void RenderThread::renewReference(Estimate& e) {
   EstimateStatus status;
   e.fill(status);

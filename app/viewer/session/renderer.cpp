@@ -49,7 +49,7 @@ void Renderer::setSettings(int which, const Settings& settings) {
     bool const otherIntegrator = needsAnother(wanted, settings);
     wanted = settings;
     thread_->wanted.changed = RenderThread::Clock::now();
-    if (!otherIntegrator) thread_->interrupt(which);  // else the present one goes on until the other stands
+    if (!otherIntegrator) thread_->interrupt(which);  // else the present one continues until the other is ready
     return true;
   });
 }

@@ -71,8 +71,8 @@ class Renderer final : public PixelSource {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Makes integrators for the new scene in the background and swaps when they stand. What was shown stays until then,
-  /// and for good where that fails: problem() then says why.
+  /// Makes integrators for the new scene in the background and swaps when they are ready. What was shown stays until
+  /// then, and stays where that fails: problem() then says why.
   void setScene(std::shared_ptr<const Scene> scene, const CameraDesc& camera);
   /// Ignored where another scene than that version's has taken over since.
   void setCamera(const CameraDesc& camera, std::uint64_t sceneVersion);

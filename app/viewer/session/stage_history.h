@@ -8,7 +8,7 @@
 
 namespace ropelight::view {
 
-/// Milliseconds; a stage that a batch did not have counts in none of them.
+/// Milliseconds; a stage counts only in batches that had it.
 struct StageSummary {
   std::string name;
   double least = 0, mean = 0, most = 0;

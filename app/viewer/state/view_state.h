@@ -32,7 +32,7 @@ struct CompareSettings {
   Layout layout = Layout::single;
   float split = 0.5f;          ///< share of the picture that A has
   float gain = 1;              ///< of the difference
-  float flickerHz = 2;         ///< swaps a second
+  float flickerHz = 2;         ///< swaps per second
   bool withReference = false;  ///< the right side is the reference, not B
   bool accumulateReference = false;
 };

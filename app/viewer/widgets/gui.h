@@ -13,7 +13,7 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  /// Makes font and style anew where the scale is another one; between end() and beginBackends().
+  /// Makes font and style again where the scale has changed; between end() and beginBackends().
   void setScale(float scale);
   float scale() const { return scale_; }
 

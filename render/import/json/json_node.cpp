@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What stands in the file, short enough for a message.
+/// The value as the file has it, shortened for a message.
 std::string describe(const json& value) {
   constexpr std::size_t longest = 40;
   if (value.is_object()) return "an object";

@@ -40,7 +40,7 @@ Mat4d placeQuad(const JsonNode& node) {
 
 Mat4d placeMesh(const JsonNode&) { return Mat4d(1.0); }
 
-/// One row a kind of shape: its own keys beside those that all share.
+/// One row per kind of shape: its own keys besides those that all kinds share.
 struct ShapeType {
   const char* name;
   ShapeKind kind;
@@ -81,7 +81,7 @@ std::optional<Emission> readEmission(const JsonNode& node) {
   return emission;
 }
 
-/// The index of a mesh, read once however many shapes name its file; a turned one is a copy.
+/// The index of a mesh. A file is read once, however many shapes name it; a flipped mesh is a copy.
 int readMesh(const JsonNode& node, Scene& scene) {
   auto const turned = node.find("flip");
   bool const flipped = turned && turned->boolean();

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Follows the parser, so that what is wrong inside a document can be named.
+/// Follows the parser, so that errors inside a document can be located.
 class PlaceTracker {
  public:
   explicit PlaceTracker(const std::string& file) : file_(file) {}

@@ -81,7 +81,7 @@ class MeshReader {
     return value;
   }
 
-  /// What follows x, y and z, a weight or a colour, is not for polygons.
+  /// What follows x, y and z (a weight or a colour) does not matter for polygons.
   void addVertex(const Words& words) {
     if (words.size() < 4) fail(words[0], "a vertex needs three coordinates");
     mesh_.positions.emplace_back(coordinate(words[1]), coordinate(words[2]), coordinate(words[3]));
@@ -142,7 +142,7 @@ class MeshReader {
   PolygonCutter cutter_;
   Mesh mesh_;
   std::vector<std::uint32_t> corners_;
-  std::vector<bool> used_;  ///< by vertex, as far as faces have asked
+  std::vector<bool> used_;  ///< by vertex, as far as faces have used it
 };
 
 }  // namespace

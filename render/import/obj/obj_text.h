@@ -6,8 +6,8 @@
 
 namespace ropelight {
 
-/// Lines end in LF, CR or both; a # starts a comment up to the line's end; a backslash that ends a line, blanks and a
-/// comment apart, continues the statement on the next one.
+/// Lines end in LF, CR or both; a # starts a comment up to the line's end; a backslash at the end of a line, before
+/// blanks and a comment, continues the statement on the next one.
 class ObjStatements {
  public:
   /// The text must outlive this and all words.
