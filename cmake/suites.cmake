@@ -1,0 +1,35 @@
+# The tests as ctest sees them: a suite for each folder of tests/, and one more for what is slow in it, so that suites
+# run side by side. Labels: slow, gui, gpu.
+
+# Adds a suite; more arguments are doctest's.
+function(ropelight_add_suite name folder cost)
+  add_test(NAME ${name} COMMAND ropelight_tests "--source-file=*/tests/${folder}/*" --duration=true ${ARGN})
+  set_tests_properties(${name} PROPERTIES COST ${cost} TIMEOUT 7200)  # the dearest start first
+endfunction()
+
+function(ropelight_add_suites)
+  file(GLOB tests CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/tests/*/*_test.cpp")
+  list(TRANSFORM tests REPLACE "/.*" "" OUTPUT_VARIABLE folders)
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    set(marks 0)
+    foreach(test IN LISTS tests)
+      if(test MATCHES "^${folder}/")
+        file(STRINGS "${PROJECT_SOURCE_DIR}/tests/${test}" lines REGEX "(test_suite|TEST_SUITE|TEST_SUITE_BEGIN)\\(\"slow\"\\)")
+        list(LENGTH lines count)
+        math(EXPR marks "${marks} + ${count}")
+      endif()
+    endforeach()
+    if(marks)
+      ropelight_add_suite(${folder} ${folder} 1 --test-suite-exclude=slow)
+      math(EXPR cost "100 + ${marks}")
+      ropelight_add_suite(${folder}-slow ${folder} ${cost} --test-suite=slow)
+      set_tests_properties(${folder}-slow PROPERTIES LABELS slow)
+    else()
+      ropelight_add_suite(${folder} ${folder} 1)
+    endif()
+    if(folder MATCHES "^(gui|gpu)$")
+      set_tests_properties(${folder} PROPERTIES LABELS ${folder} COST 50)
+    endif()
+  endforeach()
+endfunction()
