@@ -48,6 +48,7 @@ class IntegratorBase : public Integrator {
     state_ = IterationState{};
     backend_.upload(stateBuffer_, &state_, 1);
     backend_.clear(sum_);
+    backend_.clear(missing_);
     backend_.clearTallies();
     backend_.ledger().clearCounts();
     seconds_ = 0;
@@ -74,8 +75,8 @@ class IntegratorBase : public Integrator {
     backend_.activate();
     std::size_t const pixels = std::size_t(frame_.width) * std::size_t(frame_.height);
     display_.allocate(backend_, "display", pixels);
-    double const scale = state_.committed > 0 ? 1.0 / double(state_.committed) : 0.0;
-    backend_.forEach(frame_.slots(), ResolveFilm{frame_, scale, sum_.view(), display_.span()});
+    backend_.forEach(frame_.slots(),
+                     ResolveFilm{frame_, state_.committed, sum_.view(), missing_.view(), display_.span()});
     backend_.synchronize();
     return !backend_.interrupted();
   }
@@ -87,14 +88,15 @@ class IntegratorBase : public Integrator {
   Image film() const override {
     backend_.activate();
     Image image(frame_.width, frame_.height);
-    double const scale = state_.committed > 0 ? 1.0 / double(state_.committed) : 0.0;
     std::vector<glm::dvec3> sums(std::min(frame_.slots(), filmBlock));  // a part at a time: a film may be large
+    std::vector<std::uint32_t> missing(sums.size());
     for (std::uint32_t first = 0; first < frame_.slots(); first += std::uint32_t(sums.size())) {
       std::uint32_t const count = std::min(frame_.slots() - first, std::uint32_t(sums.size()));
       backend_.download(sums.data(), sum_, count, first);
+      backend_.download(missing.data(), missing_, count, first);
       for (std::uint32_t i = 0; i < count; ++i) {
         int x, y;
-        if (frame_.pixelOf(first + i, x, y)) image.at(x, y) = Rgb(sums[i] * scale);
+        if (frame_.pixelOf(first + i, x, y)) image.at(x, y) = meanOf(sums[i], state_.committed, missing[i]);
       }
     }
     return image;
@@ -161,7 +163,7 @@ class IntegratorBase : public Integrator {
   virtual void recover() { throw Error("an iteration halted that stores nothing", ExitCode::internal); }
 
   void commit() {
-    backend_.forEach(frame_.slots(), CommitFilm{radiance_.view(), sum_.span(), stateBuffer_.view()});
+    backend_.forEach(frame_.slots(), CommitFilm{radiance_.view(), sum_.span(), missing_.span(), stateBuffer_.view()});
     backend_.forEach(1, EndIteration{stateBuffer_.span()});
   }
 
@@ -188,6 +190,7 @@ class IntegratorBase : public Integrator {
     frame_.dark = s.aov != "radiance";
     radiance_.allocate(backend_, "film", frame_.slots());
     sum_.allocate(backend_, "film", frame_.slots());
+    missing_.allocate(backend_, "film", frame_.slots());
   }
 
   void clearHalt() {
@@ -205,6 +208,7 @@ class IntegratorBase : public Integrator {
   FrameView frame_;
   Buffer<Rgb> radiance_;
   Buffer<glm::dvec3> sum_;
+  Buffer<std::uint32_t> missing_;
   Buffer<IterationState> stateBuffer_;
   IterationState state_;  ///< as last seen on the device
   Buffer<DisplayPixel> display_;

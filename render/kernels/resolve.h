@@ -3,6 +3,7 @@
 
 #include "accel/photon_grid/photon_grid.h"
 #include "render/backend/tally.h"
+#include "render/kernels/commit.h"
 #include "render/kernels/frame_view.h"
 #include "render/kernels/photon_point.h"
 
@@ -17,14 +18,15 @@ struct ResolveFilm {
   static constexpr std::uint32_t grain = 8192;
 
   FrameView frame;
-  double scale;  ///< 1/iterations
+  std::uint64_t samples;  ///< of every pixel
   Span<const glm::dvec3> sum;
+  Span<const std::uint32_t> missing;
   Span<DisplayPixel> pixels;
 
   RL_HD void operator()(std::uint32_t slot, Tally&) const {
     int x, y;
     if (!frame.pixelOf(slot, x, y)) return;
-    Rgb const mean(sum[slot] * scale);
+    Rgb const mean = meanOf(sum[slot], samples, missing[slot]);
     pixels[std::uint32_t(y) * std::uint32_t(frame.width) + std::uint32_t(x)] = {mean.x, mean.y, mean.z, 1};
   }
 };

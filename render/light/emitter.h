@@ -4,6 +4,7 @@
 
 #include "render/core/frame.h"
 #include "render/core/warp.h"
+#include "render/flat/flat_scene.h"
 #include "render/intersection/flight.h"
 #include "render/light/receiver.h"
 
@@ -36,6 +37,9 @@ struct EmissionSample {
 template <class Shape>
 struct SurfaceEmitter {
   static constexpr FeatureBits bit = Shape::bit;
+
+  /// Whether a light of the flat scene is of this kind.
+  static bool holds(const FlatScene& flat, const FlatLight& light) { return Shape::holds(flat, light.primitive); }
 
   /// The point and the direction of a photon; its flux is for the caller.
   RL_HD static void emit(const SceneView& scene, const Light& light, const EmissionSample& u, Emitted& e) {

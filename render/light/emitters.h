@@ -14,6 +14,17 @@ namespace ropelight::RL_TARGET {
 
 using Emitters = List<SurfaceEmitter<QuadLight>, SurfaceEmitter<SphereLight> RL_TEST_EMITTERS>;
 
+/// The number of the kind that holds a light of the flat scene.
+inline int emitterOf(const FlatScene& flat, const FlatLight& light) {
+  int kind = -1;
+  Emitters::forEach([&](auto type, int index) {
+    using T = typename decltype(type)::type;
+    if constexpr (requires { T::holds(flat, light); })  // else a test's, which no scene holds
+      if (kind < 0 && T::holds(flat, light)) kind = index;
+  });
+  return kind;
+}
+
 namespace detail {
 
 template <FeatureBits F, class Visit, class... Ts>

@@ -4,6 +4,7 @@
 
 #include "render/core/frame.h"
 #include "render/core/warp.h"
+#include "render/flat/flat_scene.h"
 #include "render/intersection/surface.h"
 #include "render/light/receiver.h"
 
@@ -11,6 +12,9 @@ namespace ropelight::RL_TARGET {
 
 struct QuadLight {
   static constexpr FeatureBits bit = feature::quads;
+
+  /// Whether the primitive that emits is of this shape.
+  static bool holds(const FlatScene& flat, std::uint32_t primitive) { return primitive < flat.quads.size(); }
 
   RL_HD static const Quad& shape(const SceneView& scene, const Light& light) { return scene.quads[light.primitive]; }
 

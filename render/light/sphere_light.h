@@ -4,6 +4,7 @@
 #include "render/core/frame.h"
 #include "render/core/rng.h"
 #include "render/core/warp.h"
+#include "render/flat/flat_scene.h"
 #include "render/intersection/surface.h"
 #include "render/light/receiver.h"
 
@@ -11,6 +12,11 @@ namespace ropelight::RL_TARGET {
 
 struct SphereLight {
   static constexpr FeatureBits bit = feature::spheres;
+
+  /// Whether the primitive that emits is of this shape.
+  static bool holds(const FlatScene& flat, std::uint32_t primitive) {
+    return primitive >= flat.quads.size() && primitive - flat.quads.size() < flat.spheres.size();
+  }
 
   RL_HD static const Sphere& shape(const SceneView& scene, const Light& light) {
     return scene.spheres[light.primitive - scene.quads.size];

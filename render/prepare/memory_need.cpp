@@ -67,7 +67,7 @@ bool sameNeed(const Prepared& a, const Prepared& b) {
 std::map<std::string, std::uint64_t> memoryNeed(const Settings& s, FeatureBits features, std::uint64_t deviceMemory) {
   std::uint64_t const slots = slotsOf(s);
   Need need;
-  need["film"] = slots * (sizeof(Rgb) + sizeof(glm::dvec3)) + sizeof(cpu::IterationState);
+  need["film"] = slots * (sizeof(Rgb) + sizeof(glm::dvec3) + sizeof(std::uint32_t)) + sizeof(cpu::IterationState);
   if (!(features & feature::photons)) return need;
   need["gather points"] = slots * sizeof(cpu::GatherPoint);
   std::uint64_t const budget = s.photonMemory > 0 ? s.photonMemory << 20 : deviceMemory / 4;

@@ -31,13 +31,9 @@ inline Material toTarget(const MaterialDesc& desc) {
   return m;
 }
 
-/// Surfaces emit by their shape: of the kind whose shapes have the primitive's number.
 inline Light toTarget(const FlatScene& flat, const FlatLight& l, double totalPower) {
-  bool const quad = l.primitive < flat.quads.size();
-  int const kind =
-      quad ? Emitters::indexOf<SurfaceEmitter<QuadLight>>() : Emitters::indexOf<SurfaceEmitter<SphereLight>>();
-  return Light{std::uint16_t(kind), std::uint16_t(l.side), l.primitive,
-               l.radiance,          Real(l.area),          Real(l.power / totalPower)};
+  return Light{std::uint16_t(emitterOf(flat, l)), std::uint16_t(l.side), l.primitive,
+               l.radiance,                        Real(l.area),          Real(l.power / totalPower)};
 }
 
 template <class Backend>

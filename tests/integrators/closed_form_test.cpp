@@ -139,9 +139,27 @@ TEST_CASE("the film's mean does not stall") {
   Rgb const sample(0.1f, 1.0f, 1000.0f);
   cpu::IterationState state;
   ropelight::Tally tally;
-  cpu::CommitFilm const commit{{&sample, 1}, {&sum, 1}, {&state, 1}};
+  std::uint32_t missing = 0;
+  cpu::CommitFilm const commit{{&sample, 1}, {&sum, 1}, {&missing, 1}, {&state, 1}};
   std::uint32_t const count = 1u << 25;
   for (std::uint32_t i = 0; i < count; ++i) commit(0, tally);
   CHECK(sum.x / count == doctest::Approx(double(0.1f)).epsilon(1e-7));
   CHECK(sum.z / count == doctest::Approx(1000.0).epsilon(1e-7));
+}
+
+TEST_CASE("a sample that is not finite is missing, not black") {
+  glm::dvec3 sum(0.0);
+  Rgb sample(2.0f);
+  std::uint32_t missing = 0;
+  cpu::IterationState state;
+  ropelight::Tally tally;
+  cpu::CommitFilm const commit{{&sample, 1}, {&sum, 1}, {&missing, 1}, {&state, 1}};
+  for (float value : {2.0f, NAN, 4.0f, INFINITY, -INFINITY}) {
+    sample.y = value;
+    commit(0, tally);
+  }
+  CHECK(tally.nonFinite == 3);
+  CHECK(cpu::meanOf(sum, 5, missing).y == 3.0f);
+  CHECK(cpu::meanOf(sum, 5, missing).x == 2.0f);
+  CHECK(cpu::meanOf(glm::dvec3(0.0), 3, 3) == Rgb(0.0f));
 }
