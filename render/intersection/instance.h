@@ -9,9 +9,18 @@ namespace ropelight::RL_TARGET {
 /// Children of a node of the hierarchy that the renderer uses: four fill a CPU's vectors, two a GPU's registers.
 inline constexpr int bvhWidth = RL_CUDA_TARGET ? 2 : 4;
 
+/// Triangles by number. Where there is a BVH they lie in the order of its items, once, and `places` says where each is.
+struct TriangleList {
+  Span<const Triangle> triangles;
+  Span<const std::uint32_t> places;  ///< empty: in the order of their numbers
+  std::uint32_t size = 0;
+
+  RL_HD const Triangle& operator[](std::uint32_t k) const { return triangles[places.empty() ? k : places[k]]; }
+};
+
 /// A mesh within [−1, 1] and the structure over it, of the same kind as that over the scene.
 struct MeshView {
-  Span<const Triangle> triangles;
+  TriangleList triangles;
   KdTreeView tree;
   bool shortStack = false;  ///< how the tree is traversed
   BvhView<bvhWidth> bvh;

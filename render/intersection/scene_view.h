@@ -29,7 +29,7 @@ struct AliasBin {
 struct SceneView {
   Span<const Quad> quads;
   Span<const Sphere> spheres;
-  Span<const Triangle> triangles;
+  TriangleList triangles;
   Span<const Instance> instances;
   Span<const MeshView> meshes;         ///< that instances name
   Span<const std::uint32_t> material;  ///< by primitive

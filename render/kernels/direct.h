@@ -14,7 +14,7 @@ RL_HD inline Real powerHeuristic(Real a, Real b) {
 
 /// Light from a sampled point, and the shadow ray that decides whether it arrives. It is traced after the BSDF has been
 /// dispatched, so that traversal is compiled once and not once for each BSDF.
-struct DirectLight {
+struct PendingLight {
   ShadowRay shadow;
   Rgb light{0.0f};      ///< f·L·cos/pdf if nothing is in the way
   bool wanted = false;  ///< whether there is anything to be traced for
@@ -22,9 +22,9 @@ struct DirectLight {
 
 /// One light sample at a surface, weighted against BSDF sampling where `mis` is set (Veach & Guibas 1995).
 template <FeatureBits F, class Bsdf>
-RL_HD inline DirectLight sampleDirect(const FrameView& frame, const Surface& s, const Frame& local, const Bsdf& bsdf,
-                                      Vec3 wo, Sampler& sampler, bool mis) {
-  DirectLight direct;
+RL_HD inline PendingLight sampleDirect(const FrameView& frame, const Surface& s, const Frame& local, const Bsdf& bsdf,
+                                       Vec3 wo, Sampler& sampler, bool mis) {
+  PendingLight direct;
   Real const uLight = sampler.next1();
   DirectSample const light = sampleLight<F>(frame.scene, s, uLight, sampler.next2());
   if (light.pdf == 0) return direct;
@@ -40,7 +40,7 @@ RL_HD inline DirectLight sampleDirect(const FrameView& frame, const Surface& s, 
 
 /// What of it arrives, where it is wanted.
 template <FeatureBits F>
-RL_HD inline Rgb arriving(const FrameView& frame, const DirectLight& direct, Tally& tally) {
+RL_HD inline Rgb arriving(const FrameView& frame, const PendingLight& direct, Tally& tally) {
   ++tally.shadowRays;
   return occluded<F>(frame.scene, direct.shadow) ? Rgb(0.0f) : direct.light;
 }

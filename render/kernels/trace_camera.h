@@ -105,7 +105,7 @@ struct TraceCamera : TraceCameraArgs {
   /// Direct light; the gather point goes to its slot.
   RL_HD Rgb arrive(const Surface& s, Vec3 back, Sampler& sampler, const Chain& chain, std::uint32_t slot,
                    Tally& tally) const {
-    DirectLight direct;
+    PendingLight direct;
     bsdfAt<F>(frame.scene, s, [&](const auto& bsdf) {
       using Bsdf = std::decay_t<decltype(bsdf)>;
       if constexpr ((Bsdf::possibleLobes & lobe::gathered) != 0) {

@@ -48,7 +48,7 @@ struct TracePath : TracePathArgs {
       Vec3 const w = flight.ray.direction;
       sum += state.throughput * arrivingEmission(s, w, state);
       bool goesOn = false;
-      DirectLight direct;
+      PendingLight direct;
       bsdfAt<F>(frame.scene, s, [&](const auto& bsdf) {
         Frame const local(s.n);
         Vec3 const wo = local.toLocal(-w);
@@ -89,11 +89,11 @@ struct TracePath : TracePathArgs {
 
   /// Scaled by the throughput so far, since the bounce follows before the shadow ray.
   template <class Bsdf>
-  RL_HD DirectLight nextEvent(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler,
-                              const State& state) const {
-    if constexpr ((F & feature::lights) == 0) return DirectLight{};
-    if (frame.scene.lights.empty()) return DirectLight{};
-    DirectLight direct = sampleDirect<F>(frame, s, local, bsdf, wo, sampler, true);
+  RL_HD PendingLight nextEvent(const Bsdf& bsdf, const Surface& s, const Frame& local, Vec3 wo, Sampler& sampler,
+                               const State& state) const {
+    if constexpr ((F & feature::lights) == 0) return PendingLight{};
+    if (frame.scene.lights.empty()) return PendingLight{};
+    PendingLight direct = sampleDirect<F>(frame, s, local, bsdf, wo, sampler, true);
     bool const leftOut = frame.indirectOnly && state.diffuseHits == 0;
     direct.light = leftOut ? Rgb(0.0f) : state.throughput * direct.light;
     return direct;

@@ -16,7 +16,7 @@ void launchRow(Backend& backend, std::uint32_t n, const Args& args);
 template <class Args>
 void launch(Backend& backend, int row, std::uint32_t n, const Args& args) {
   using Launcher = void (*)(Backend&, std::uint32_t, const Args&);
-#if ROPELIGHT_LAST_ROW_ONLY  // it covers what the others do, and a build for checks compiles less
+#ifdef ROPELIGHT_LAST_ROW_ONLY  // it covers what the others do, and a build for checks compiles less
 #define RL_LAUNCHER(name) launchRow<Args, row::all>,
 #else
 #define RL_LAUNCHER(name) launchRow<Args, row::name>,

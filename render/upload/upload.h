@@ -32,8 +32,8 @@ inline Material toTarget(const MaterialDesc& desc) {
 }
 
 inline Light toTarget(const FlatScene& flat, const FlatLight& l, double totalPower) {
-  return Light{std::uint16_t(emitterOf(flat, l)), std::uint16_t(l.side), l.primitive,
-               l.radiance,                        Real(l.area),          Real(l.power / totalPower)};
+  return Light{std::uint16_t(emitterOf(flat, l)), std::uint16_t(l.side), l.primitive, l.radiance, Real(l.area),
+               Real(l.power / totalPower)};
 }
 
 template <class Backend>
@@ -46,7 +46,6 @@ class DeviceScene {
     const FlatScene& flat = *p.flat;
     view.quads = convert(quads_, "quads", flat.quads);
     view.spheres = convert(spheres_, "spheres", flat.spheres);
-    view.triangles = convert(triangles_, "triangles", flat.triangles);
     view.material = copy(material_, "materials", flat.material);
     if (!flat.lights.empty()) view.lightOf = copy(lightOf_, "lights", flat.light);
     if (!flat.layers.empty()) view.layers = copy(layers_, "materials", flat.layers);
@@ -55,7 +54,11 @@ class DeviceScene {
     uploadLights(flat);
     instances_.upload(backend, p, view);
     if (p.features & feature::tree) uploadTree(*p.tree);
-    if (p.features & feature::bvh) uploadBvh(flat, *p.bvh);
+    if (p.features & feature::bvh)
+      uploadBvh(flat, *p.bvh);
+    else
+      view.triangles.triangles = convert(triangles_, "triangles", flat.triangles);
+    view.triangles.size = std::uint32_t(flat.triangles.size());
     view.shortStack = (p.features & feature::shortStack) != 0;
   }
 
@@ -105,7 +108,11 @@ class DeviceScene {
     else
       view.bvh.nodes = copy(bvhNodes_, "tree", widen(bvh).nodes);
     view.bvh.items = copy(bvhItems_, "tree", bvh.items);
-    view.bvhTriangles = copy(bvhTriangles_, "tree", itemTriangles(flat, bvh.items));
+    view.bvhTriangles = copy(triangles_, "triangles", itemTriangles(flat, bvh.items));
+    if (flat.triangles.empty()) return;
+    std::size_t const first = flat.quads.size() + flat.spheres.size();
+    view.triangles.triangles = view.bvhTriangles;
+    view.triangles.places = copy(places_, "triangles", placesOf(bvh.items, first, flat.triangles.size()));
   }
 
   Backend& backend_;
@@ -123,7 +130,7 @@ class DeviceScene {
   Buffer<std::uint32_t> references_;
   Buffer<BvhNode<bvhWidth>> bvhNodes_;
   Buffer<std::uint32_t> bvhItems_;
-  Buffer<Triangle> bvhTriangles_;
+  Buffer<std::uint32_t> places_;
   DeviceInstances<Backend> instances_;
 };
 

@@ -36,6 +36,15 @@ inline Instance toTarget(const FlatInstance& i) {
   return out;
 }
 
+/// Where each of `count` triangles lies among the items; `first`: the primitive id of triangle 0.
+inline std::vector<std::uint32_t> placesOf(const std::vector<std::uint32_t>& items, std::size_t first,
+                                           std::size_t count) {
+  std::vector<std::uint32_t> places(count);
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (items[i] >= first && items[i] - first < count) places[items[i] - first] = std::uint32_t(i);
+  return places;
+}
+
 template <class Backend>
 class DeviceInstances {
  public:
@@ -50,7 +59,7 @@ class DeviceInstances {
     for (const FlatInstance& i : flat.instances) instances.push_back(toTarget(i));
     view.instances = copy(backend, instances_, instances);
     std::vector<MeshView> meshes(flat.meshes.size());
-    uploadTriangles(backend, flat, meshes);
+    if (!(p.features & feature::bvh)) uploadTriangles(backend, flat, meshes);
     if (p.features & feature::tree) uploadTrees(backend, p, meshes);
     if (p.features & feature::bvh) uploadBvhs(backend, p, meshes);
     view.meshes = copy(backend, meshes_, meshes);
@@ -86,6 +95,7 @@ class DeviceInstances {
     std::vector<std::size_t> starts_;
   };
 
+  /// By number, for meshes without a BVH.
   void uploadTriangles(Backend& backend, const FlatScene& flat, std::vector<MeshView>& meshes) {
     Joined<Triangle> triangles;
     for (const auto& mesh : flat.meshes) {
@@ -93,7 +103,9 @@ class DeviceInstances {
       for (const FlatTriangle& t : mesh->triangles) part.push_back(toTarget(t));
       triangles.add(part);
     }
-    triangles.copyTo(backend, triangles_, [&](std::size_t m, auto part) { meshes[m].triangles = part; });
+    triangles.copyTo(backend, triangles_, [&](std::size_t m, auto part) {
+      meshes[m].triangles = TriangleList{part, {}, part.size};
+    });
   }
 
   void uploadTrees(Backend& backend, const SceneStructures& p, std::vector<MeshView>& meshes) {
@@ -116,16 +128,22 @@ class DeviceInstances {
   void uploadBvhs(Backend& backend, const SceneStructures& p, std::vector<MeshView>& meshes) {
     Joined<BvhNode<bvhWidth>> nodes;
     Joined<Triangle> triangles;
+    Joined<std::uint32_t> places;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
       const Bvh<2>& bvh = (*p.meshBvhs)[m];
+      const FlatScene& mesh = *p.flat->meshes[m];
       if constexpr (bvhWidth == 2)
         nodes.add(bvh.nodes);
       else
         nodes.add(widen(bvh).nodes);
-      triangles.add(itemTriangles(*p.flat->meshes[m], bvh.items));
+      triangles.add(itemTriangles(mesh, bvh.items));
+      places.add(placesOf(bvh.items, 0, mesh.triangles.size()));
     }
     nodes.copyTo(backend, bvhNodes_, [&](std::size_t m, auto part) { meshes[m].bvh.nodes = part; });
-    triangles.copyTo(backend, bvhTriangles_, [&](std::size_t m, auto part) { meshes[m].bvhTriangles = part; });
+    triangles.copyTo(backend, triangles_, [&](std::size_t m, auto part) { meshes[m].bvhTriangles = part; });
+    places.copyTo(backend, places_, [&](std::size_t m, auto part) {
+      meshes[m].triangles = TriangleList{meshes[m].bvhTriangles, part, part.size};
+    });
   }
 
   Buffer<Instance> instances_;
@@ -135,7 +153,7 @@ class DeviceInstances {
   Buffer<KdLeaf> leaves_;
   Buffer<std::uint32_t> references_;
   Buffer<BvhNode<bvhWidth>> bvhNodes_;
-  Buffer<Triangle> bvhTriangles_;
+  Buffer<std::uint32_t> places_;
 };
 
 }  // namespace ropelight::RL_TARGET
