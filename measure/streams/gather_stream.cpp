@@ -4,7 +4,6 @@
 // its driver, on that backend:
 #include "measure/streams/gather_stream_impl.h"
 
-
 namespace ropelight {
 
 #if ROPELIGHT_CUDA

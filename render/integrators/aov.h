@@ -13,16 +13,9 @@ class AovIntegrator final : public IntegratorBase<Backend> {
 
  protected:
   void iterate(std::uint64_t) override {
-    this->backend_.forEach(this->frame_.slots(), TraceAov<F>{this->frame_, kind(), this->radiance_.span()});
+    this->backend_.forEach(this->frame_.slots(),
+                           TraceAov<F>{this->frame_, this->prepared_.settings.aov, this->radiance_.span()});
     this->commit();
-  }
-
- private:
-  Aov kind() const {
-    const char* const names[] = {"normal", "depth", "albedo", "traversal", "tests"};
-    for (int i = 0; i < 5; ++i)
-      if (this->prepared_.settings.aov == names[i]) return Aov(i);
-    return Aov::normal;
   }
 };
 

@@ -12,35 +12,28 @@ namespace ropelight {
 namespace {
 
 struct MakerRow {
-  const char* mode;
-  const char* row;
+  IntegratorKind kind;
+  FeatureBits covers;
   Maker cpu;
   Maker cuda;
 };
 
 #if ROPELIGHT_CUDA
-#define RL_MAKER(mode, row) MakerRow{#mode, #row, cpu::make_##mode##_##row, cuda::make_##mode##_##row},
+#define RL_MAKER(mode, name) \
+  MakerRow{IntegratorKind::mode, row::name, cpu::make_##mode##_##name, cuda::make_##mode##_##name},
 #else
-#define RL_MAKER(mode, row) MakerRow{#mode, #row, cpu::make_##mode##_##row, nullptr},
+#define RL_MAKER(mode, name) MakerRow{IntegratorKind::mode, row::name, cpu::make_##mode##_##name, nullptr},
 #endif
 #define RL_MAKER_ROWS(mode) RL_MAKER(mode, basic) RL_MAKER(mode, mesh) RL_MAKER(mode, full) RL_MAKER(mode, coincident)
 
 const MakerRow makers[] = {RL_MODES(RL_MAKER_ROWS)};
 
-const MakerRow& makerFor(const std::string& mode, const std::string& row) {
+const MakerRow& makerFor(IntegratorKind kind, const KernelRow& row) {
   return *std::find_if(std::begin(makers), std::end(makers),
-                       [&](const MakerRow& m) { return mode == m.mode && row == m.row; });
+                       [&](const MakerRow& m) { return kind == m.kind && row.covers == m.covers; });
 }
 
 }  // namespace
-
-std::vector<std::string> modeNames() {
-  std::vector<std::string> names;
-  Settings().params([&](const std::string& name, const auto&, const ParamInfo& info) {
-    if (name == "mode") names = choicesOf(info);
-  });
-  return names;
-}
 
 std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& settings, const BackendChoice& choice,
                                            std::string* why, std::shared_ptr<SceneCache> cache) {
@@ -50,7 +43,7 @@ std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& s
   resolvedChoice.gpu = chosen.gpu;
   if (!cache) cache = makeSceneCache(scene);
   Prepared const prepared = prepare(scene, settings, resolvedChoice, chosen.cuda, *cache);
-  const MakerRow& maker = makerFor(integratorName(prepared.settings), rowFor(prepared.features).name);
+  const MakerRow& maker = makerFor(integratorOf(prepared.settings), rowFor(prepared.features));
   return (chosen.cuda ? maker.cuda : maker.cpu)(prepared);
 }
 

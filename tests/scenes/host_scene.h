@@ -69,7 +69,8 @@ class HostScene {
   const std::map<std::string, std::uint64_t>& bytes() const { return backend_.ledger().bytes(); }
 
  private:
-  explicit HostScene(SceneStructures p) : prepared_(std::move(p)), backend_(BackendChoice{}), device_(backend_, prepared_) {}
+  explicit HostScene(SceneStructures p)
+      : prepared_(std::move(p)), backend_(BackendChoice{}), device_(backend_, prepared_) {}
 
   static SceneStructures prepared(const FlatScene& flat) {
     SceneStructures p;
