@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "render/choices/choice.h"
 #include "render/core/params.h"
 
 namespace ropelight {
@@ -17,6 +18,10 @@ void parseValue(const std::string& name, const std::string& text, const ParamInf
 void parseValue(const std::string& name, const std::string& text, const ParamInfo& info, std::uint64_t& value);
 void parseValue(const std::string& name, const std::string& text, const ParamInfo& info, double& value);
 void parseValue(const std::string& name, const std::string& text, const ParamInfo& info, std::optional<double>& value);
+template <ChoiceEnum E>
+void parseValue(const std::string& name, const std::string& text, const ParamInfo&, E& value) {
+  value = parseChoice<E>(name, text);
+}
 
 /// The shortest text that parseValue reads back to the same value; empty for none.
 std::string formatValue(const std::string& value);
@@ -25,6 +30,10 @@ std::string formatValue(int value);
 std::string formatValue(std::uint64_t value);
 std::string formatValue(double value);
 std::string formatValue(std::optional<double> value);
+template <ChoiceEnum E>
+std::string formatValue(E value) {
+  return nameOf(value);
+}
 
 /// What the value is, for --help: the doc with its unit.
 std::string describe(const ParamInfo& info);

@@ -61,14 +61,14 @@ Scene ballInBox(std::vector<FlatTriangle> triangles) {
 }
 
 struct ModeRun {
-  const char* mode;
+  Mode mode;
   const char* series;
 };
 
 constexpr const char* scenes[] = {
     "cornell", "box-spheres-diffuse", "cornell-caustics", "glass-caustic", "light-in-glass", "six-lights", "bumpy"};
 
-constexpr ModeRun modes[] = {{"ray", "ray"}, {"path", "path"}, {"sppm", "all combined"}};
+constexpr ModeRun modes[] = {{Mode::ray, "ray"}, {Mode::path, "path"}, {Mode::sppm, "all combined"}};
 
 /// Share of a photon-mapping iteration that each part takes, by stages timed one by one.
 struct Shares {
@@ -147,7 +147,7 @@ class ModeTimer {
   const std::string& device() const { return device_; }
 
  private:
-  std::unique_ptr<Integrator> make(const char* mode, bool stageTimes) const {
+  std::unique_ptr<Integrator> make(Mode mode, bool stageTimes) const {
     Settings settings = settings_;
     settings.mode = mode;
     BackendChoice choice = options_.scene.backend;
@@ -158,7 +158,7 @@ class ModeTimer {
   int stagedIterations() const { return std::min(options_.repeat, 5); }
 
   std::map<std::string, double> stageSeconds(Image& film) const {
-    auto const integrator = make("sppm", true);
+    auto const integrator = make(Mode::sppm, true);
     integrator->advance(warmUpRuns);
     integrator->reset();
     integrator->advance(stagedIterations());

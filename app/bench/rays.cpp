@@ -117,7 +117,7 @@ std::vector<TimedTraversal> timeTraversals(const StreamScene& scene, RayStream& 
       makeRayStream({.flat = scene.flat, .tree = {}, .bvh = {}, .wide = {}}, options.scene.backend);
   bruteStream->setRays(pick<StreamRay>(set.rays, numbers));
   stream.setRays(set.rays);
-  bool const cpu = stream.device().backend == "cpu";
+  bool const cpu = stream.device().backend == BackendKind::cpu;
   std::vector<TimedTraversal> timed;
   std::vector<Contender> contenders;
   for (const TraversalInfo& info : traversals) {

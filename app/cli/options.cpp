@@ -29,16 +29,6 @@ CLI::Option* addFile(CLI::App& app, const char* flags, std::string& file, const 
   return app.add_option(flags, file, doc)->type_name("FILE")->take_last();
 }
 
-void checkName(const char* option, const std::string& name, const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), name) == known.end())
-    throw Error(fmt::format("{}: '{}' is none of {}", option, name, joinNames(known)), ExitCode::usage);
-}
-
-void checkNames(const SceneOptions& options) {
-  checkName("--mode", options.settings.mode, modeNames());
-  checkName("--backend", options.backend.backend, {"auto", "cuda", "cpu"});
-}
-
 /// Parses one subcommand's arguments (the program's and its own name left off) into options that `declare` binds.
 template <class Options, class Declare>
 Command parse(const char* name, const char* doc, std::vector<std::string> arguments, Declare declare) {
@@ -53,9 +43,6 @@ Command parse(const char* name, const char* doc, std::vector<std::string> argume
   } catch (const CLI::ParseError& error) {
     throw Error(fmt::format("{}; see ropelight {} --help", error.what(), name), ExitCode::usage);
   }
-  if constexpr (requires { options.scene.settings; }) checkNames(options.scene);
-  if constexpr (requires { options.backend.backend; })
-    checkName("--backend", options.backend.backend, {"auto", "cuda", "cpu"});
   return options;
 }
 

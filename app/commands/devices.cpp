@@ -17,17 +17,17 @@ void printTable(const std::vector<DeviceInfo>& devices) {
   for (const DeviceInfo& d : devices) width = std::max(width, d.name.size());
   fmt::print("{:<9}{:<5}{:<{}}  {:>10}  {:<8}{}\n", "backend", "gpu", "name", width, "memory", "usable", "note");
   for (const DeviceInfo& d : devices) {
-    std::string const gpu = d.backend == "cpu" ? "-" : fmt::format("{}", d.index);
+    std::string const gpu = d.backend == BackendKind::cpu ? "-" : fmt::format("{}", d.index);
     std::string const memory = d.memory > 0 ? formatBytes(d.memory) : "-";
-    fmt::print("{:<9}{:<5}{:<{}}  {:>10}  {:<8}{}\n", d.backend, gpu, d.name, width, memory, d.usable ? "yes" : "no",
-               d.note);
+    fmt::print("{:<9}{:<5}{:<{}}  {:>10}  {:<8}{}\n", nameOf(d.backend), gpu, d.name, width, memory,
+               d.usable ? "yes" : "no", d.note);
   }
 }
 
 nlohmann::ordered_json toJson(const std::vector<DeviceInfo>& devices) {
   auto json = nlohmann::ordered_json::array();
   for (const DeviceInfo& d : devices)
-    json.push_back({{"backend", d.backend},
+    json.push_back({{"backend", nameOf(d.backend)},
                     {"index", d.index},
                     {"name", d.name},
                     {"memory", d.memory},

@@ -13,8 +13,11 @@ namespace {
 
 double rate(std::uint64_t count, double seconds) { return seconds > 0 ? double(count) / seconds : 0; }
 
-MetadataValue metadataValue(const std::string& value) { return value; }
 MetadataValue metadataValue(double value) { return value; }
+template <ChoiceEnum E>
+MetadataValue metadataValue(E value) {
+  return std::string(nameOf(value));
+}
 MetadataValue metadataValue(bool value) { return formatValue(value); }
 MetadataValue metadataValue(int value) { return std::int64_t(value); }
 MetadataValue metadataValue(std::uint64_t value) {
@@ -26,7 +29,7 @@ MetadataValue metadataValue(std::uint64_t value) {
 
 nlohmann::ordered_json toJson(Settings settings) {
   nlohmann::ordered_json json;
-  settings.params([&](const char* name, const auto& value, const ParamInfo&) { json[name] = value; });
+  settings.params([&](const char* name, const auto& value, const ParamInfo&) { json[name] = written(value); });
   return json;
 }
 

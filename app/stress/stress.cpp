@@ -97,7 +97,7 @@ class MeshCheck {
 
   /// As many as brute force answers in seconds.
   std::size_t bruteRays() const {
-    double const tests = device().backend == "cuda" ? 5e11 : 1e9;
+    double const tests = device().backend == BackendKind::cuda ? 5e11 : 1e9;
     return std::size_t(std::max(1.0, tests / double(mesh_.triangles.size())));
   }
 

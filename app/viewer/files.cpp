@@ -68,7 +68,8 @@ bool isImageFile(const std::string& file) {
 
 std::string pictureName(const Scene& scene, const Stats& stats, const char* extension) {
   std::string const stem = std::filesystem::path(scene.file).stem().string();
-  return fmt::format("{}-{}-{}{}", stem.empty() ? "scene" : stem, stats.settings.mode, stats.iterations, extension);
+  return fmt::format("{}-{}-{}{}", stem.empty() ? "scene" : stem, nameOf(stats.settings.mode), stats.iterations,
+                     extension);
 }
 
 void savePicture(const std::string& file, Renderer& renderer, int which, const ToneSettings& tone) {

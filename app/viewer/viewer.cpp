@@ -186,8 +186,8 @@ void Viewer::tellRenderer() {
   matchWindow();
   for (int k : {estimateA, estimateB}) renderer_.setSettings(k, state_.settings[std::size_t(k)]);
   Settings truth = state_.settings[estimateA];
-  truth = Settings{.mode = "path",
-                   .aov = truth.aov == "photon-count" || truth.aov == "gather-radius" ? "radiance" : truth.aov,
+  truth = Settings{.mode = Mode::path,
+                   .aov = sourceOf(truth.aov) == AovSource::gather ? Aov::radiance : truth.aov,
                    .width = truth.width,
                    .height = truth.height,
                    .maxDepth = truth.maxDepth,
@@ -318,8 +318,8 @@ void Viewer::writeState(const std::string& file) {
 void Viewer::setTitle() {
   const EstimateStatus& a = estimates_[estimateA];
   std::string const name = std::filesystem::path(scene_ ? scene_->file : comingScene_->file).filename().string();
-  std::string const title =
-      fmt::format("{} - {} - {} iterations - ropelight", name, state_.settings[estimateA].mode, a.stats.iterations);
+  std::string const title = fmt::format("{} - {} - {} iterations - ropelight", name,
+                                        nameOf(state_.settings[estimateA].mode), a.stats.iterations);
   if (title == title_) return;
   title_ = title;
   window_.setTitle(title);

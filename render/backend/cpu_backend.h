@@ -93,8 +93,8 @@ class Backend {
     if (buffer.size() > 0) std::memset(static_cast<void*>(buffer.span().data), 0, buffer.size() * sizeof(T));
   }
 
-  /// Calls stage(i, tally) for i in [0, n), in no order.
-  template <class Stage>
+  /// Calls stage(i, tally) for i in [0, n), in no order. The number is for a GPU alone.
+  template <int = 0, class Stage>
   void forEach(std::uint32_t n, const Stage& stage) {
     if (interrupted()) return;
     auto const start = begin(Stage::name);

@@ -171,13 +171,14 @@ class Backend {
     if (buffer.size() > 0) RL_CUDA(cudaMemsetAsync(buffer.span().data, 0, buffer.size() * sizeof(T), stream_));
   }
 
-  template <class Stage>
+  /// Calls stage(i, tally) for i in [0, n), in no order. blocks: see runStage.
+  template <int blocks = 0, class Stage>
   void forEach(std::uint32_t n, const Stage& stage) {
     if (n == 0 || interrupted()) return;
     ledger_.launched(Stage::name);
     constexpr std::uint32_t threads = stageThreads;
     Timer const timer(*this, Stage::name);
-    runStage<<<(n + threads - 1) / threads, threads, 0, stream_>>>(n, stage, totals_.span().data);
+    runStage<Stage, blocks><<<(n + threads - 1) / threads, threads, 0, stream_>>>(n, stage, totals_.span().data);
     RL_CUDA(cudaGetLastError());
   }
 

@@ -11,7 +11,7 @@ std::string versionText(int v) { return v == 0 ? "none" : fmt::format("{}.{}", v
 
 DeviceInfo describe(int index, int driver, int runtime) {
   DeviceInfo d;
-  d.backend = "cuda";
+  d.backend = BackendKind::cuda;
   d.index = index;
   cudaDeviceProp p{};
   if (cudaError_t const code = cudaGetDeviceProperties(&p, index); code != cudaSuccess) {
@@ -44,7 +44,7 @@ std::vector<DeviceInfo> cudaDevices() {
   if (code == cudaErrorNoDevice || (code == cudaErrorInsufficientDriver && driver == 0)) return {};
   if (code != cudaSuccess) {
     DeviceInfo d;
-    d.backend = "cuda";
+    d.backend = BackendKind::cuda;
     d.name = "NVIDIA GPU";
     d.note = fmt::format("{}: the driver is for CUDA {}, this program needs {}{}", cudaGetErrorString(code),
                          versionText(driver), versionText(runtime),

@@ -27,7 +27,7 @@ DeviceInfo cpuDevice(int threads) {
   static const std::string name = processorName();
   static const std::uint64_t groupLimit = groupMemoryLimit();
   DeviceInfo d;
-  d.backend = "cpu";
+  d.backend = BackendKind::cpu;
   int const used = threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
   d.name = fmt::format("{}, {} thread{}", name, used, used == 1 ? "" : "s");
   d.memory = std::min(std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGESIZE)), groupLimit);
@@ -53,9 +53,7 @@ std::vector<DeviceInfo> listDevices() {
 }
 
 ChosenBackend chooseBackend(const BackendChoice& choice) {
-  if (choice.backend == "cpu") return {false, 0, "CPU, as asked for"};
-  if (choice.backend != "auto" && choice.backend != "cuda")
-    throw Error(fmt::format("--backend: '{}' is not known; use auto, cuda or cpu", choice.backend), ExitCode::usage);
+  if (choice.backend == BackendKind::cpu) return {false, 0, "CPU, as asked for"};
   std::vector<DeviceInfo> const gpus = cudaDevices();
   std::string problem = "this build has no CUDA; configure with a CUDA toolkit of version 12 or newer";
   if (ROPELIGHT_CUDA) problem = "no NVIDIA GPU was found";
@@ -66,7 +64,7 @@ ChosenBackend chooseBackend(const BackendChoice& choice) {
   }
   if (!gpus.empty() && gpus.front().usable && choice.gpu >= int(gpus.size()))
     problem = fmt::format("--gpu {}: there are {} GPUs, numbered from 0", choice.gpu, gpus.size());
-  if (choice.backend == "cuda") throw Error(fmt::format("--backend cuda: {}", problem), ExitCode::noDevice);
+  if (choice.backend == BackendKind::cuda) throw Error(fmt::format("--backend cuda: {}", problem), ExitCode::noDevice);
   return {false, 0, fmt::format("CPU: {}", problem)};
 }
 

@@ -5,12 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "render/choices/choice.h"
+
 namespace ropelight {
+
+/// What computes.
+enum class BackendKind : std::uint8_t { automatic, cuda, cpu };
+
+template <>
+struct ChoicesOf<BackendKind> {
+  static constexpr Choice<BackendKind> table[] = {
+      {BackendKind::automatic, "auto", "the first usable GPU, else the CPU"},
+      {BackendKind::cuda, "cuda", "an NVIDIA GPU"},
+      {BackendKind::cpu, "cpu", "the CPU"},
+  };
+};
 
 /// A usable device, or why it cannot be used.
 struct DeviceInfo {
-  std::string backend;  ///< cpu or cuda
-  int index = 0;        ///< of the GPU; 0 for the CPU
+  BackendKind backend = BackendKind::cpu;  ///< cpu or cuda
+  int index = 0;                           ///< of the GPU; 0 for the CPU
   std::string name;
   std::uint64_t memory = 0;  ///< bytes
   bool usable = false;
@@ -21,10 +35,10 @@ struct DeviceInfo {
 std::vector<DeviceInfo> listDevices();
 
 struct BackendChoice {
-  std::string backend = "auto";  ///< auto, cuda or cpu
-  int gpu = -1;                  ///< index; −1: the first usable one
-  int threads = 0;               ///< CPU threads; 0: all cores
-  bool stageTimes = false;       ///< time every stage on a GPU too, at the cost of a synchronisation each
+  BackendKind backend = BackendKind::automatic;
+  int gpu = -1;             ///< index; −1: the first usable one
+  int threads = 0;          ///< CPU threads; 0: all cores
+  bool stageTimes = false;  ///< time every stage on a GPU too, at the cost of a synchronisation each
 };
 
 DeviceInfo cpuDevice(int threads);
@@ -41,7 +55,7 @@ struct ChosenBackend {
   std::string why;  ///< one sentence: what was taken and why
 };
 
-/// Throws Error (noDevice) where the one asked for cannot be used, usage where its name is unknown.
+/// Throws Error (noDevice) where the one asked for cannot be used.
 ChosenBackend chooseBackend(const BackendChoice& choice);
 
 }  // namespace ropelight

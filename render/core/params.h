@@ -2,8 +2,7 @@
 // What a `params(visitor)` list says of each value: loader, command line, panel and documentation all walk the lists.
 
 #include <limits>
-#include <string>
-#include <vector>
+#include <span>
 
 namespace ropelight {
 
@@ -13,23 +12,11 @@ struct ParamInfo {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   const char* unit = "";
-  const char* group = "";    ///< heading under which the panel shows it; empty: not in the panel
-  const char* choices = "";  ///< what a text may be, "a|b|c"; empty: anything
-  double low = 0, high = 0;  ///< range of the panel's slider, where the limits are too wide for one
-  bool logarithmic = false;  ///< the slider's scale
-  const char* zero = "";     ///< what 0 stands for, where it stands for an automatic value
+  const char* group = "";                  ///< heading under which the panel shows it; empty: not in the panel
+  std::span<const char* const> choices{};  ///< names of the enumerators, in order; empty: no enum
+  double low = 0, high = 0;                ///< range of the panel's slider, where the limits are too wide for one
+  bool logarithmic = false;                ///< the slider's scale
+  const char* zero = "";                   ///< what 0 stands for, where it stands for an automatic value
 };
-
-/// The words of info.choices.
-inline std::vector<std::string> choicesOf(const ParamInfo& info) {
-  std::vector<std::string> words(1);
-  for (const char* c = info.choices; *c; ++c) {
-    if (*c == '|')
-      words.emplace_back();
-    else
-      words.back() += *c;
-  }
-  return words;
-}
 
 }  // namespace ropelight

@@ -13,16 +13,8 @@ class AovIntegrator final : public IntegratorBase<Backend> {
 
  protected:
   void iterate(std::uint64_t) override {
-    this->run(this->frame_.slots(), TraceAovArgs{this->frame_, kind(), this->radiance_.span()});
+    this->run(this->frame_.slots(), TraceAovArgs{this->frame_, this->prepared_.settings.aov, this->radiance_.span()});
     this->commit();
-  }
-
- private:
-  Aov kind() const {
-    const char* const names[] = {"normal", "depth", "albedo", "traversal", "tests"};
-    for (int i = 0; i < 5; ++i)
-      if (this->prepared_.settings.aov == names[i]) return Aov(i);
-    return Aov::normal;
   }
 };
 

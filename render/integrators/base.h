@@ -114,7 +114,7 @@ class IntegratorBase : public Integrator {
     s.truncatedPaths = t.truncated;
     s.photonsStored = state_.stored;
     s.regrown = regrown_;
-    s.accel = prepared_.settings.accel;
+    s.accel = nameOf(prepared_.settings.accel);
     s.kernelRow = kernelRows[row_].name;
     s.features = prepared_.features;
     s.device = backend_.device().name;
@@ -181,13 +181,13 @@ class IntegratorBase : public Integrator {
     frame_.camera = makeCamera(prepared_.camera, s.width, s.height);
     frame_.width = s.width;
     frame_.height = s.height;
-    frame_.sampler = s.sampler == IndependentSampler::name ? Samplers::indexOf<IndependentSampler>()
+    frame_.sampler = s.sampler == SamplerKind::independent ? Samplers::indexOf<IndependentSampler>()
                                                            : Samplers::indexOf<SobolSampler>();
     frame_.maxDepth = s.maxDepth;
     frame_.seed = s.seed;
     frame_.indirectOnly = s.indirectOnly;
-    frame_.shadowRays = !(s.mode == "sppm" && s.direct == "photons");
-    frame_.dark = s.aov != "radiance";
+    frame_.shadowRays = !(s.mode == Mode::sppm && s.direct == DirectLight::photons);
+    frame_.dark = s.aov != Aov::radiance;
     radiance_.allocate(backend_, "film", frame_.slots());
     sum_.allocate(backend_, "film", frame_.slots());
     missing_.allocate(backend_, "film", frame_.slots());

@@ -18,14 +18,6 @@ namespace cuda {
 std::unique_ptr<Integrator> makePrepared(const Prepared& prepared);
 }
 
-std::vector<std::string> modeNames() {
-  std::vector<std::string> names;
-  Settings().params([&](const std::string& name, const auto&, const ParamInfo& info) {
-    if (name == "mode") names = choicesOf(info);
-  });
-  return names;
-}
-
 std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& settings, const BackendChoice& choice,
                                            std::string* why, std::shared_ptr<SceneCache> cache) {
   ChosenBackend const chosen = chooseBackend(choice);

@@ -85,9 +85,6 @@ class Integrator {
   virtual int gpu() const = 0;
 };
 
-/// The mode names that makeIntegrator takes, in menu order.
-std::vector<std::string> modeNames();
-
 /// Flattens the scene, builds the acceleration structure and allocates the buffers that its features ask for.
 /// `auto` takes the first usable GPU, else the CPU; `why` (if given) says which and why.
 /// Throws Error: noDevice where the backend asked for cannot be used, outOfMemory where buffers do not fit, usage for

@@ -1,5 +1,5 @@
 #pragma once
-// The integrators of one backend, by name: a new one is its file, an include and a line here.
+// The integrators of one backend, by kind: a new one is its file, an include and a line here.
 
 #include "render/core/error.h"
 #include "render/integrators/aov.h"
@@ -15,22 +15,22 @@ std::unique_ptr<Integrator> make(const Prepared& prepared) {
 }
 
 struct IntegratorMaker {
-  const char* name;
+  IntegratorKind kind;
   std::unique_ptr<Integrator> (*make)(const Prepared&);
 };
 
 inline constexpr IntegratorMaker integratorMakers[] = {
-    {"ray", make<RayIntegrator>},
-    {"path", make<PathIntegrator>},
-    {"sppm", make<SppmIntegrator>},
-    {"aov", make<AovIntegrator>},
+    {IntegratorKind::ray, make<RayIntegrator>},
+    {IntegratorKind::path, make<PathIntegrator>},
+    {IntegratorKind::sppm, make<SppmIntegrator>},
+    {IntegratorKind::aov, make<AovIntegrator>},
 };
 
 /// The integrator that the settings ask for.
 std::unique_ptr<Integrator> makePrepared(const Prepared& prepared) {
   for (const IntegratorMaker& maker : integratorMakers)
-    if (integratorName(prepared.settings) == maker.name) return maker.make(prepared);
-  throw Error("no integrator '" + integratorName(prepared.settings) + "'", ExitCode::internal);
+    if (integratorOf(prepared.settings) == maker.kind) return maker.make(prepared);
+  throw Error("this mode has no integrator", ExitCode::internal);
 }
 
 }  // namespace ropelight::RL_TARGET

@@ -117,9 +117,9 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
 
   void gather(Real radius) {
     const Settings& s = this->prepared_.settings;
-    Gathered const output = s.aov == "photon-count"    ? Gathered::photonCount
-                            : s.aov == "gather-radius" ? Gathered::radius
-                                                       : Gathered::radiance;
+    Gathered const output = s.aov == Aov::photonCount    ? Gathered::photonCount
+                            : s.aov == Aov::gatherRadius ? Gathered::radius
+                                                         : Gathered::radiance;
     GatherView const view{map_.grid(), radius, s.maxDepth};
     std::uint32_t const n = this->frame_.slots();
     if (this->prepared_.features & feature::nearest)
@@ -137,7 +137,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   Buffer<PhotonPoint> points3d_;  ///< for a window
   std::uint64_t budget_ = 0;
   std::uint64_t plannedPhotons_ = 0, plannedMemory_ = 0;
-  std::string plannedGather_;
+  GatherBy plannedGather_ = GatherBy::radius;  ///< read only where plannedPhotons_ is not 0
   double perPath_ = 0, tailPerPath_ = 0;
 };
 

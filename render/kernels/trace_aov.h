@@ -4,10 +4,9 @@
 #include "render/backend/tally.h"
 #include "render/core/frame.h"
 #include "render/kernels/frame_view.h"
+#include "render/settings/choices.h"
 
 namespace ropelight::RL_TARGET {
-
-enum class Aov : std::uint8_t { normal, depth, albedo, traversal, tests };
 
 template <FeatureBits F>
 struct TraceAov;

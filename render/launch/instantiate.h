@@ -7,7 +7,7 @@ namespace ropelight::RL_TARGET {
 
 template <class Args, FeatureBits F>
 void launchRow(Backend& backend, std::uint32_t n, const Args& args) {
-  backend.forEach(n, typename Args::template Stage<F>{args});
+  backend.template forEach<row::blocks(F)>(n, typename Args::template Stage<F>{args});
 }
 
 }  // namespace ropelight::RL_TARGET

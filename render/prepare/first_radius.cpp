@@ -89,7 +89,7 @@ class Pilot {
     frame_.camera = makeCamera(p.camera, frame_.width, frame_.height);
     frame_.maxDepth = s.maxDepth;
     frame_.seed = s.seed;
-    frame_.shadowRays = s.direct == "shadow";
+    frame_.shadowRays = s.direct == DirectLight::shadow;
   }
 
   /// 0 where the camera sees no photons.

@@ -1,7 +1,6 @@
 #include "render/prepare/prepare.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +14,9 @@
 namespace ropelight {
 namespace {
 
-/// Every text setting is one of the choices that its list names.
-void checkChoices(Settings s) {
-  s.params([](const char* name, const auto& value, const ParamInfo& info) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
-      std::vector<std::string> const known = choicesOf(info);
-      if (std::find(known.begin(), known.end(), value) == known.end())
-        throw Error(fmt::format("--{}: '{}' is not known; use one of: {}", name, value, fmt::join(known, ", ")),
-                    ExitCode::usage);
-    }
-  });
-  bool const ofGather = s.aov == "photon-count" || s.aov == "gather-radius";
-  if (ofGather && s.mode != "sppm")
-    throw Error(fmt::format("--aov {}: only --mode sppm gathers photons", s.aov), ExitCode::usage);
+void requireConsistent(const Settings& s) {
+  if (sourceOf(s.aov) == AovSource::gather && s.mode != Mode::sppm)
+    throw Error(fmt::format("--aov {}: only --mode sppm gathers photons", nameOf(s.aov)), ExitCode::usage);
 }
 
 void resolve(const FilmDesc& film, std::uint32_t primitives, Settings& s) {
@@ -40,29 +29,41 @@ void resolve(const FilmDesc& film, std::uint32_t primitives, Settings& s) {
 }
 
 /// The setting that asks for what the features say.
-const char* accelName(FeatureBits features) {
-  if (features & feature::shortStack) return "short-stack";
-  if (features & feature::tree) return "tree";
-  return (features & feature::bvh) ? "bvh" : "brute";
+Accel accelOf(FeatureBits features) {
+  if (features & feature::shortStack) return Accel::shortStack;
+  if (features & feature::tree) return Accel::tree;
+  return (features & feature::bvh) ? Accel::bvh : Accel::brute;
 }
 
 /// All but the structure and the first radius.
 void resolveAll(Prepared& p, const Settings& requested) {
-  checkChoices(requested);
+  requireConsistent(requested);
   p.requested = p.settings = requested;
   resolve(p.film, p.flat->primitiveCount(), p.settings);
   p.features = featuresOf(*p.flat, p.camera, p.settings);
-  p.settings.accel = accelName(p.features);
+  p.settings.accel = accelOf(p.features);
 }
 
 void resolveRadius(Prepared& p) {
   if ((p.features & feature::photons) && p.settings.radius == 0) p.settings.radius = automaticRadius(p);
 }
 
+KdSplit splitOf(SplitBy by) {
+  switch (by) {
+    case SplitBy::sah:
+      return KdSplit::sah;
+    case SplitBy::sweep:
+      return KdSplit::sweep;
+    case SplitBy::midpoint:
+      return KdSplit::midpoint;
+  }
+  throw Error("a split without a rule", ExitCode::internal);
+}
+
 KdConfig treeConfig(const Settings& s, int threads = 0) {
   KdConfig config;
   config.threads = threads;
-  config.split = s.split == "sweep" ? KdSplit::sweep : (s.split == "midpoint" ? KdSplit::midpoint : KdSplit::sah);
+  config.split = splitOf(s.split);
   config.bins = s.bins;
   config.leafSize = s.leafSize;
   config.maxDepth = s.treeDepth;
@@ -71,10 +72,20 @@ KdConfig treeConfig(const Settings& s, int threads = 0) {
 
 /// things: what testing all of them would test.
 FeatureBits structureFor(std::uint32_t things, const Settings& s) {
-  if (things == 0 || s.accel == "brute") return 0;
-  if (s.accel == "tree") return feature::tree;
-  if (s.accel == "short-stack") return feature::tree | feature::shortStack;
-  return s.accel == "bvh" || things > bruteForceLimit ? feature::bvh : 0;
+  if (things == 0) return 0;
+  switch (s.accel) {
+    case Accel::automatic:
+      return things > bruteForceLimit ? feature::bvh : 0;
+    case Accel::bvh:
+      return feature::bvh;
+    case Accel::tree:
+      return feature::tree;
+    case Accel::shortStack:
+      return feature::tree | feature::shortStack;
+    case Accel::brute:
+      return 0;
+  }
+  throw Error("an acceleration without a structure", ExitCode::internal);
 }
 
 void buildStructures(Prepared& p, SceneCache& cache) {
@@ -93,24 +104,32 @@ void buildStructures(Prepared& p, SceneCache& cache) {
 
 /// What an integrator was compiled and its scene uploaded for.
 bool sameIntegrator(const Prepared& a, const Prepared& b) {
-  return integratorName(a.settings) == integratorName(b.settings) && rowFor(a.features) == rowFor(b.features) &&
+  return integratorOf(a.settings) == integratorOf(b.settings) && rowFor(a.features) == rowFor(b.features) &&
          a.settings.accel == b.settings.accel &&
          (!(a.features & feature::tree) || treeConfig(a.settings) == treeConfig(b.settings));
 }
 
 }  // namespace
 
-std::string integratorName(const Settings& s) {
-  bool const firstHit = s.aov != "radiance" && s.aov != "photon-count" && s.aov != "gather-radius";
-  return firstHit ? "aov" : s.mode;
+IntegratorKind integratorOf(const Settings& s) {
+  if (sourceOf(s.aov) == AovSource::firstHit) return IntegratorKind::aov;
+  switch (s.mode) {
+    case Mode::ray:
+      return IntegratorKind::ray;
+    case Mode::path:
+      return IntegratorKind::path;
+    case Mode::sppm:
+      return IntegratorKind::sppm;
+  }
+  throw Error("a mode without an integrator", ExitCode::internal);
 }
 
 FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Settings& s) {
   FeatureBits bits = featuresOf(flat, camera);
   bits |= structureFor(flat.hitCount(), s);
-  bool const sppm = integratorName(s) == "sppm";
+  bool const sppm = integratorOf(s) == IntegratorKind::sppm;
   if (sppm && (bits & feature::lights) && (bits & (feature::diffuse | feature::glossy))) bits |= feature::photons;
-  if ((bits & feature::photons) && s.gather == "nearest") bits |= feature::nearest;
+  if ((bits & feature::photons) && s.gather == GatherBy::nearest) bits |= feature::nearest;
   return bits;
 }
 

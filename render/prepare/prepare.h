@@ -20,14 +20,17 @@ struct Prepared : SceneStructures {
   bool onGpu = false;
 };
 
-/// The integrator that makes what the settings ask for: the mode, or aov for what the first hit alone shows.
-std::string integratorName(const Settings& settings);
+/// The drivers that are compiled, in the order of RL_MODES.
+enum class IntegratorKind : std::uint8_t { ray, path, sppm, aov };
+
+/// What makes the film that the settings ask for: the mode's driver, or aov for what the first hit alone shows.
+IntegratorKind integratorOf(const Settings& settings);
 
 /// The whole table of features: the scene's, and those that the settings add or make unnecessary.
 FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Settings& settings);
 
-/// onGpu: whether backend.gpu is to be used. Throws Error: usage where settings contradict each other or name something
-/// unknown, outOfMemory where they need more memory than there is.
+/// onGpu: whether backend.gpu is to be used. Throws Error: usage where settings contradict each other,
+/// outOfMemory where they need more memory than there is.
 Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoice& backend, bool onGpu,
                  SceneCache& cache);
 

@@ -3,20 +3,20 @@
 // reported and written into the metadata.
 
 #include <cstdint>
-#include <string>
 
 #include "render/core/params.h"
+#include "render/settings/choices.h"
 
 namespace ropelight {
 
 struct Settings {
-  std::string mode = "sppm";       ///< one of modeNames()
-  std::string aov = "radiance";    ///< what the film holds; see the list below
-  std::string direct = "shadow";   ///< shadow: shadow rays; photons: the photons carry direct light too
-  std::string gather = "radius";   ///< radius or nearest
-  std::string accel = "auto";      ///< auto, bvh, tree (kd-tree with ropes), short-stack (kd-tree) or brute
-  std::string split = "sah";       ///< kd-tree builder: sah (binned), sweep (exact) or midpoint
-  std::string sampler = "sobol";   ///< sobol or independent
+  Mode mode = Mode::sppm;
+  Aov aov = Aov::radiance;
+  DirectLight direct = DirectLight::shadow;
+  GatherBy gather = GatherBy::radius;
+  Accel accel = Accel::automatic;
+  SplitBy split = SplitBy::sah;
+  SamplerKind sampler = SamplerKind::sobol;
   int width = 0;                   ///< pixels; 0: the scene's film
   int height = 0;                  ///< pixels; 0: the scene's film
   std::uint64_t photons = 262144;  ///< photon paths an iteration
@@ -37,7 +37,7 @@ struct Settings {
   template <class V>
   void params(V&& v) {
     using I = ParamInfo;
-    v("mode", mode, I{.doc = "ray, path or sppm", .group = "Mode", .choices = "ray|path|sppm"});
+    v("mode", mode, I{.doc = "ray, path or sppm", .group = "Mode", .choices = choiceNames<Mode>});
     v("aov", aov,
       I{.doc = "what the film holds: radiance; at the first hit the normal, depth, albedo, traversal (tree "
                "cells or nodes visited and primitives tested) or tests (primitives tested, an instance as one); of the "
@@ -45,9 +45,9 @@ struct Settings {
                "photon-count or "
                "gather-radius",
         .group = "Mode",
-        .choices = "radiance|normal|depth|albedo|traversal|tests|photon-count|gather-radius"});
+        .choices = choiceNames<Aov>});
     v("direct", direct,
-      I{.doc = "direct light in sppm: shadow or photons", .group = "Mode", .choices = "shadow|photons"});
+      I{.doc = "direct light in sppm: shadow or photons", .group = "Mode", .choices = choiceNames<DirectLight>});
     v("indirect-only", indirectOnly, I{.doc = "leave out emission and direct light", .group = "Mode"});
     v("max-depth", maxDepth,
       I{.doc = "edges of a path; 0: unlimited",
@@ -74,7 +74,8 @@ struct Settings {
         .zero = "from the scene"});
     v("alpha", alpha,
       I{.doc = "share of photons kept as the radius shrinks", .min = 0.01, .max = 1, .group = "Photons"});
-    v("gather", gather, I{.doc = "photon gather: radius or nearest", .group = "Photons", .choices = "radius|nearest"});
+    v("gather", gather,
+      I{.doc = "photon gather: radius or nearest", .group = "Photons", .choices = choiceNames<GatherBy>});
     v("nearest", nearest, I{.doc = "k of the k-nearest gather", .min = 2, .max = 128, .group = "Photons"});
     v("cell-size", cellSize,
       I{.doc = "edge of a grid cell; shorter along x, and longer where there is no room for so many",
@@ -94,11 +95,12 @@ struct Settings {
     v("accel", accel,
       I{.doc = "ray acceleration: auto, bvh, tree (kd-tree with ropes), short-stack (kd-tree) or brute",
         .group = "Acceleration",
-        .choices = "auto|bvh|tree|short-stack|brute"});
+        .choices = choiceNames<Accel>,
+        .zero = "auto"});
     v("split", split,
       I{.doc = "kd-tree builder: sah (binned), sweep (exact SAH) or midpoint",
         .group = "Acceleration",
-        .choices = "sah|sweep|midpoint"});
+        .choices = choiceNames<SplitBy>});
     v("bins", bins,
       I{.doc = "SAH bins per axis of the kd-tree",
         .min = 2,
@@ -117,7 +119,7 @@ struct Settings {
         .max = 64,
         .group = "Acceleration",
         .zero = "from the primitive count"});
-    v("sampler", sampler, I{.doc = "sobol or independent", .group = "Sampling", .choices = "sobol|independent"});
+    v("sampler", sampler, I{.doc = "sobol or independent", .group = "Sampling", .choices = choiceNames<SamplerKind>});
     v("seed", seed, I{.doc = "random seed", .min = 0, .max = 18446744073709551615.0, .group = "Sampling", .high = 100});
     v("width", width,
       I{.doc = "image width; 0: from the scene",

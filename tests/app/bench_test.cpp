@@ -63,7 +63,7 @@ class LyingStream final : public RayStream {
 
 BenchOptions quickOptions() {
   BenchOptions options;
-  options.scene.backend.backend = "cpu";
+  options.scene.backend.backend = BackendKind::cpu;
   options.repeat = 2;
   return options;
 }

@@ -32,7 +32,7 @@ Scene spheres() { return loadScene(std::string(ROPELIGHT_ASSETS) + "/box-spheres
 
 BackendChoice onCpu() {
   BackendChoice choice;
-  choice.backend = "cpu";
+  choice.backend = BackendKind::cpu;
   return choice;
 }
 
@@ -73,11 +73,11 @@ TEST_CASE("modes are read with settings of their own over the shared ones") {
   base.alpha = 0.9;
   auto const specs = parseModes("path,sppm:alpha=0.5:gather=knn,sppm:seed=7", base);
   REQUIRE(specs.size() == 3);
-  CHECK(specs[0].settings.mode == "path");
+  CHECK(specs[0].settings.mode == Mode::path);
   CHECK(specs[0].settings.alpha == 0.9);
   CHECK(specs[1].label == "sppm:alpha=0.5:gather=knn");
   CHECK(specs[1].settings.alpha == 0.5);
-  CHECK(specs[1].settings.gather == "nearest");
+  CHECK(specs[1].settings.gather == GatherBy::nearest);
   CHECK(specs[2].settings.seed == 7);
   CHECK(specs[2].settings.width == size);
 }

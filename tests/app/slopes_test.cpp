@@ -33,16 +33,16 @@ Scene lampOnFloor() {
 }
 
 /// Light, reflector, floor, camera and nothing else, so that the truth is one integral.
-Settings oneBounce(const char* mode, int edge) {
+Settings oneBounce(Mode mode, int edge) {
   Settings s = settingsFor(mode, edge, edge);
   s.maxDepth = 3;
   s.indirectOnly = true;
-  s.sampler = "independent";
+  s.sampler = SamplerKind::independent;
   return s;
 }
 
 Settings photons(int edge, double alpha, double radius, std::uint64_t count) {
-  Settings s = oneBounce("sppm", edge);
+  Settings s = oneBounce(Mode::sppm, edge);
   s.alpha = alpha;
   s.radius = radius;
   s.photons = count;
@@ -111,7 +111,7 @@ void checkSlope(const std::string& what, const Interval& slope, double theory, d
 
 void checkPath(int edge, const Counts& counts, double widest) {
   std::vector<double> const truth = truthOf(edge);
-  Courses const courses = runCourses(lampOnFloor(), oneBounce("path", edge), counts);
+  Courses const courses = runCourses(lampOnFloor(), oneBounce(Mode::path, edge), counts);
   checkSlope("variance", slopeOf(courses, truth, variance), -1, -1, widest);
   checkSlope("squared error", slopeOf(courses, truth, squaredError), -1, -1, widest);
   Interval const error = meanErrorOf(courses, truth);

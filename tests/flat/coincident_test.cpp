@@ -26,8 +26,7 @@ Facet floorTile(double x, double z, double y = 0) { return square({x, y, z}, {0,
 bool stacked(const Scene& scene) { return !flatten(scene).layers.empty(); }
 
 /// Mean of a picture of the furnace in one mode and structure.
-double brightness(const Scene& scene, const char* mode, const char* accel, const BackendChoice& backend,
-                  int iterations = 64) {
+double brightness(const Scene& scene, Mode mode, Accel accel, const BackendChoice& backend, int iterations = 64) {
   Settings settings = settingsFor(mode, 32, 32);
   settings.accel = accel;
   settings.photons = 20000;
@@ -132,7 +131,7 @@ TEST_CASE("blocks on a floor look the same whether their hidden faces are there 
   Scene above = scene;
   for (Vec3d& p : above.meshes.back().positions)
     if (p.y == 0) p.y = 1e-4;
-  Settings settings = settingsFor("path", 32, 32);
+  Settings settings = settingsFor(Mode::path, 32, 32);
   double const gap = meanOf(renderImage(above, settings, 64)), none = meanOf(renderImage(scene, settings, 64));
   CHECK(none == doctest::Approx(gap).epsilon(0.005));
 }
@@ -170,12 +169,12 @@ TEST_CASE("a closed furnace stays at 1 whatever touches in it, in every order an
           doctest::test_suite("slow")) {
   for (const BackendChoice& backend : everyBackend())
     for (const FurnaceCase& c : furnaceCases())
-      for (const char* accel : {"brute", "bvh", "tree", "short-stack"})
-        for (const char* mode : {"path", "sppm"}) {
-          CAPTURE(backend.backend);
+      for (Accel const accel : {Accel::brute, Accel::bvh, Accel::tree, Accel::shortStack})
+        for (Mode const mode : {Mode::path, Mode::sppm}) {
+          CAPTURE(nameOf(backend.backend));
           CAPTURE(c.name);
-          CAPTURE(accel);
-          CAPTURE(mode);
+          CAPTURE(nameOf(accel));
+          CAPTURE(nameOf(mode));
           CHECK(brightness(c.scene, mode, accel, backend) == doctest::Approx(1).epsilon(0.01));
         }
 }
@@ -191,7 +190,8 @@ TEST_CASE("a closed furnace stays at 1 in the 24 orders of three touching surfac
       CAPTURE(c.name);
       CAPTURE(order[0]);
       CAPTURE(order[1]);
-      CHECK(brightness(scene, "path", "auto", {"cpu", 0, 0, false}) == doctest::Approx(1).epsilon(0.01));
+      CHECK(brightness(scene, Mode::path, Accel::automatic, {BackendKind::cpu, 0, 0, false}) ==
+            doctest::Approx(1).epsilon(0.01));
     } while (std::next_permutation(order, order + 3));
   }
 }
@@ -200,7 +200,7 @@ TEST_CASE("what is seen of opaque surfaces in one plane does not depend on their
   // A lamp that shines down in a black ceiling; from below it is seen, from above the ceiling is.
   for (bool lampFirst : {true, false})
     for (bool fromAbove : {true, false})
-      for (const char* accel : {"brute", "bvh"}) {
+      for (Accel const accel : {Accel::brute, Accel::bvh}) {
         Scene scene = emptyScene(0);
         auto const lamp = [&] {
           addQuad(scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}).emission = Emission{Rgb(1), Side::out};
@@ -209,10 +209,10 @@ TEST_CASE("what is seen of opaque surfaces in one plane does not depend on their
         addQuad(scene, {-2, 1, -2}, {4, 0, 0}, {0, 0, 4}, addMaterial(scene, DiffuseParams{Rgb(0.25f)}));
         if (!lampFirst) lamp();
         lookAt(scene, {0, fromAbove ? 3.0 : -1.0, 0}, {0, 1, 0}, {0, 0, 1}, 10);
-        Settings settings = settingsFor("ray", 32, 32);
+        Settings settings = settingsFor(Mode::ray, 32, 32);
         settings.accel = accel;
         CHECK(meanOf(renderImage(scene, settings, 4)) == doctest::Approx(fromAbove ? 0.0 : 1.0));
-        settings.aov = "albedo";
+        settings.aov = Aov::albedo;
         CHECK(meanOf(renderImage(scene, settings, 4)) == doctest::Approx(0.0));  // the smaller, from either side
       }
 }
@@ -230,14 +230,14 @@ TEST_CASE("of two lamps at the same place one shines") {
   };
   double const expected = factor(2) - factor(1) + 3 * factor(1);
   lookAt(scene, {0, 0.01, 0}, {0, 0, 0}, {0, 0, 1}, 10);
-  for (const char* direct : {"shadow", "photons"})
-    for (const char* mode : {"path", "sppm"}) {
+  for (DirectLight const direct : {DirectLight::shadow, DirectLight::photons})
+    for (Mode const mode : {Mode::path, Mode::sppm}) {
       Settings settings = settingsFor(mode, 16, 16);
       settings.direct = direct;
       settings.photons = 200000;
       settings.radius = 0.05;
-      CAPTURE(mode);
-      CAPTURE(direct);
+      CAPTURE(nameOf(mode));
+      CAPTURE(nameOf(direct));
       CHECK(meanOf(renderImage(scene, settings, 64)) == doctest::Approx(expected).epsilon(0.01));
     }
 }
@@ -250,15 +250,15 @@ TEST_CASE("glass on a floor and a lamp in a ceiling are lit as the oracle says o
   auto const expected = oracle::tileMeans(image, variance, size, tile);
   Scene const scene = fromOracle(oracle::touchingRoom(size, size, 0));
   REQUIRE(stacked(scene));
-  for (const char* mode : {"path", "sppm"}) {
+  for (Mode const mode : {Mode::path, Mode::sppm}) {
     Settings settings = settingsFor(mode, size, size);
     settings.photons = 50000;
     settings.radius = 0.02;
     TileStatistics const found = tileStatistics(renderSeeds(scene, settings, 64, 6), tile);
-    double const bias = mode == std::string("sppm") ? 0.03 : 0.003;  // of discs along edges
+    double const bias = mode == Mode::sppm ? 0.03 : 0.003;  // of discs along edges
     for (std::size_t t = 0; t < expected.size(); ++t)
       for (std::size_t c = 0; c < 3; ++c) {
-        CAPTURE(mode);
+        CAPTURE(nameOf(mode));
         CAPTURE(t);
         CAPTURE(c);
         double const sigma = std::hypot(std::sqrt(expected[t].variance), found.error[t][c]);

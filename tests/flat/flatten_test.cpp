@@ -263,27 +263,27 @@ TEST_CASE("settings add a tree, photons and the k-nearest gather only where ther
   b.add(ShapeKind::sphere, Mat4d(1.0));
   Settings s;
   auto const has = [&](FeatureBits bit) { return (featuresOf(flatten(b.scene), b.scene.camera, s) & bit) != 0; };
-  s.gather = "nearest";
+  s.gather = GatherBy::nearest;
   CHECK_FALSE(has(feature::tree | feature::photons | feature::nearest));  // no light, one primitive
-  s.accel = "tree";
+  s.accel = Accel::tree;
   CHECK(has(feature::tree));
-  s.accel = "auto";
+  s.accel = Accel::automatic;
   b.add(ShapeKind::quad, Mat4d(1.0), Emission{});
   CHECK(has(feature::photons));
   CHECK(has(feature::nearest));
-  s.mode = "path";
+  s.mode = Mode::path;
   CHECK_FALSE(has(feature::photons | feature::nearest));
-  s.mode = "sppm";
+  s.mode = Mode::sppm;
   b.scene.materials[0].desc = MirrorParams{};
   CHECK_FALSE(has(feature::photons));
   for (std::uint32_t i = 0; i < bruteForceLimit; ++i) b.add(ShapeKind::sphere, Mat4d(1.0));
   CHECK(has(feature::bvh));
-  s.accel = "short-stack";
+  s.accel = Accel::shortStack;
   CHECK(has(feature::tree));
   CHECK(has(feature::shortStack));
-  s.accel = "tree";
+  s.accel = Accel::tree;
   CHECK(has(feature::tree));
   CHECK_FALSE(has(feature::bvh | feature::shortStack));
-  s.accel = "brute";
+  s.accel = Accel::brute;
   CHECK_FALSE(has(feature::tree | feature::bvh));
 }

@@ -39,7 +39,7 @@ Scene movedScene(Scene scene, Vec3d by) {
   return scene;
 }
 
-Settings small(const char* mode, std::uint64_t seed = 1) {
+Settings small(Mode mode, std::uint64_t seed = 1) {
   Settings s = settingsFor(mode, 48, 48);
   s.photons = 10000;
   s.seed = seed;
@@ -66,11 +66,11 @@ TEST_CASE("scenes around the origin stay where they are, distant ones come to it
 
 TEST_CASE("a move by powers of two changes no bit") {
   for (const BackendChoice& backend : everyBackend())
-    for (const char* mode : {"ray", "path", "sppm"}) {
+    for (Mode const mode : {Mode::ray, Mode::path, Mode::sppm}) {
       Image const here = renderImage(room(), small(mode), 4, nullptr, backend);
       for (int power : {10, 14, 17, 20, 23}) {
         double const far = std::ldexp(1, power);
-        CAPTURE(mode);
+        CAPTURE(nameOf(mode));
         CAPTURE(power);
         CHECK(sameBits(here,
                        renderImage(movedScene(room(), Vec3d(far, -far, 2 * far)), small(mode), 4, nullptr, backend)));
@@ -79,11 +79,11 @@ TEST_CASE("a move by powers of two changes no bit") {
 }
 
 TEST_CASE("offsets of 1e3 to 1e7 give the picture of the scene at the origin" * doctest::test_suite("slow")) {
-  for (const char* mode : {"path", "sppm"}) {
+  for (Mode const mode : {Mode::path, Mode::sppm}) {
     TileStatistics const here = tileStatistics(renderSeeds(room(), small(mode), 8, 8), 16);
     for (double far : {1e3, 1e4, 1e5, 1e6, 1e7}) {
       CAPTURE(far);
-      CAPTURE(mode);
+      CAPTURE(nameOf(mode));
       Scene const there = movedScene(room(), Vec3d(far / 3, far, -far / 7));
       CHECK(disagreement(tileStatistics(renderSeeds(there, small(mode), 8, 8), 16), here, 0.005) == "");
     }
@@ -96,13 +96,13 @@ TEST_CASE("a furnace far from the origin is as bright as one near it" * doctest:
     Scene scene = emptyScene(0.5f);
     addBox(scene, {far - 1, -1, far - 1}, {far + 1, 1, far + 1}).emission = Emission{Rgb(1), Side::in};
     lookAt(scene, {far + 0.3, 0.1, far + 0.2}, {far - 1, -0.8, far - 0.9}, {0, 1, 0}, 70);
-    for (const char* direct : {"shadow", "photons"}) {
-      Settings settings = settingsFor("sppm", 32, 32);
+    for (DirectLight const direct : {DirectLight::shadow, DirectLight::photons}) {
+      Settings settings = settingsFor(Mode::sppm, 32, 32);
       settings.photons = 30000;
       settings.direct = direct;
       CHECK(meanOf(renderImage(scene, settings, 32)) == doctest::Approx(2).epsilon(0.01));
     }
-    CHECK(meanOf(renderImage(scene, settingsFor("path", 32, 32), 64)) == doctest::Approx(2).epsilon(0.01));
+    CHECK(meanOf(renderImage(scene, settingsFor(Mode::path, 32, 32), 64)) == doctest::Approx(2).epsilon(0.01));
   }
 }
 

@@ -257,8 +257,8 @@ TEST_CASE("placed meshes are lit as their triangles in the world") {
       shape.toWorld = translation({2.0 * i - 1, 0, 0}) * rotation({1, 2, 3}, 70) * scaling({0.8, i ? -0.4 : 0.9, 0.7});
     }
   for (Scene* scene : {&kept, &copied}) testing::lookAt(*scene, {0, 1, 7}, {0, 0, 0}, {0, 1, 0}, 40);
-  for (const char* mode : {"path", "sppm"}) {
-    CAPTURE(mode);
+  for (Mode const mode : {Mode::path, Mode::sppm}) {
+    CAPTURE(nameOf(mode));
     Settings settings = testing::settingsFor(mode, 48, 32);
     settings.photons = 4000;
     settings.radius = 0.2;
@@ -275,7 +275,7 @@ TEST_CASE("placed meshes are lit as their triangles in the world") {
     CHECK(close > int(a.pixels.size()) * 95 / 100);  // rounding may send single paths elsewhere
     CHECK(testing::meanOf(a) == doctest::Approx(testing::meanOf(b)).epsilon(0.01));
     CHECK(testing::meanOf(a) > 0.05);
-    settings.accel = "tree";
+    settings.accel = Accel::tree;
     settings.seed = 2;
     CHECK(testing::meanOf(testing::renderImage(kept, settings, 8)) ==
           doctest::Approx(testing::meanOf(a)).epsilon(0.05));

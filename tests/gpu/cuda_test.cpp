@@ -36,7 +36,7 @@ std::vector<oracle::Scene> scenes() {
           oracle::touchingRoom(96, 96, 0)};
 }
 
-Settings settingsOf(const std::string& mode, const std::string& accel) {
+Settings settingsOf(Mode mode, Accel accel) {
   Settings s = settingsFor(mode, 96, 96);
   s.photons = 32768;
   s.accel = accel;
@@ -49,10 +49,10 @@ TEST_SUITE("gpu") {
   TEST_CASE("CUDA: one iteration equals the CPU's in 99 of 100 pixels") {
     if (noGpu()) return;
     for (const oracle::Scene& scene : scenes())
-      for (const char* mode : {"ray", "path", "sppm"})
-        for (const char* accel : {"brute", "bvh", "tree", "short-stack"}) {
-          CAPTURE(mode);
-          CAPTURE(accel);
+      for (Mode const mode : {Mode::ray, Mode::path, Mode::sppm})
+        for (Accel const accel : {Accel::brute, Accel::bvh, Accel::tree, Accel::shortStack}) {
+          CAPTURE(nameOf(mode));
+          CAPTURE(nameOf(accel));
           Settings const settings = settingsOf(mode, accel);
           Image const cpu = renderImage(fromOracle(scene), settings, 1, nullptr, onCpu);
           Image const gpu = renderImage(fromOracle(scene), settings, 1, nullptr, onGpu);
@@ -64,10 +64,10 @@ TEST_SUITE("gpu") {
     if (noGpu()) return;
     Scene scene = placedBalls();
     scene.camera.position = {0.3, 0.4, 3.5};
-    for (const char* accel : {"brute", "bvh", "tree", "short-stack"}) {
-      CAPTURE(accel);
-      for (const char* aov : {"depth", "normal"}) {
-        Settings settings = settingsOf("ray", accel);
+    for (Accel const accel : {Accel::brute, Accel::bvh, Accel::tree, Accel::shortStack}) {
+      CAPTURE(nameOf(accel));
+      for (Aov const aov : {Aov::depth, Aov::normal}) {
+        Settings settings = settingsOf(Mode::ray, accel);
         settings.aov = aov;
         Image const cpu = renderImage(scene, settings, 1, nullptr, onCpu);
         Image const gpu = renderImage(scene, settings, 1, nullptr, onGpu);
@@ -80,9 +80,9 @@ TEST_SUITE("gpu") {
   TEST_CASE("CUDA: 64 iterations agree with the CPU's by tiles") {
     if (noGpu()) return;
     for (const oracle::Scene& scene : scenes())
-      for (const char* mode : {"path", "sppm"}) {
-        CAPTURE(mode);
-        Settings const settings = settingsOf(mode, "auto");
+      for (Mode const mode : {Mode::path, Mode::sppm}) {
+        CAPTURE(nameOf(mode));
+        Settings const settings = settingsOf(mode, Accel::automatic);
         TileStatistics const cpu = tileStatistics(renderSeeds(fromOracle(scene), settings, 16, 4, onCpu), 16);
         TileStatistics const gpu = tileStatistics(renderSeeds(fromOracle(scene), settings, 16, 4, onGpu), 16);
         CHECK(disagreement(gpu, cpu, 0.005) == "");
@@ -91,11 +91,11 @@ TEST_SUITE("gpu") {
 
   TEST_CASE("CUDA: the same run gives the same bits") {
     if (noGpu()) return;
-    for (const char* mode : {"ray", "path", "sppm"}) {
-      CAPTURE(mode);
+    for (Mode const mode : {Mode::ray, Mode::path, Mode::sppm}) {
+      CAPTURE(nameOf(mode));
       Scene const scene = fromOracle(oracle::boxSpheresDiffuse(96, 96));
-      Image const a = renderImage(scene, settingsOf(mode, "tree"), 20, nullptr, onGpu);
-      Image const b = renderImage(scene, settingsOf(mode, "tree"), 20, nullptr, onGpu);
+      Image const a = renderImage(scene, settingsOf(mode, Accel::tree), 20, nullptr, onGpu);
+      Image const b = renderImage(scene, settingsOf(mode, Accel::tree), 20, nullptr, onGpu);
       CHECK(std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(Rgb)) == 0);
     }
   }
@@ -103,9 +103,9 @@ TEST_SUITE("gpu") {
   TEST_CASE("CUDA: k nearest, photons' direct light and a lens agree with the CPU") {
     if (noGpu()) return;
     Scene scene = fromOracle(oracle::diffuseBox(96, 96));
-    Settings nearest = settingsOf("sppm", "auto"), direct = nearest;
-    nearest.gather = "nearest";
-    direct.direct = "photons";
+    Settings nearest = settingsOf(Mode::sppm, Accel::automatic), direct = nearest;
+    nearest.gather = GatherBy::nearest;
+    direct.direct = DirectLight::photons;
     CHECK(agreeingShare(renderImage(scene, nearest, 1, nullptr, onCpu), renderImage(scene, nearest, 1, nullptr, onGpu),
                         1e-4) >= 0.99);
     CHECK(agreeingShare(renderImage(scene, direct, 1, nullptr, onCpu), renderImage(scene, direct, 1, nullptr, onGpu),
@@ -121,7 +121,7 @@ TEST_SUITE("gpu") {
     addBox(scene, {-1, -1, -1}, {1, 1, 1});
     addSphere(scene, {0, 0.5, 0}, 0.1).emission = Emission{Rgb(1), Side::out};
     lookAt(scene, {0, 0, 0.9}, {0, 0, 0}, {0, 1, 0}, 60);
-    Settings settings = settingsOf("sppm", "auto");
+    Settings settings = settingsOf(Mode::sppm, Accel::automatic);
     settings.photons = 200000;
     Stats stats;
     Image const atOnce = renderImage(scene, settings, 3, &stats, onGpu);
@@ -138,7 +138,7 @@ TEST_SUITE("gpu") {
     Scene dark = emptyScene(0.5f);
     addBox(dark, {-1, -1, -1}, {1, 1, 1});
     Stats s;
-    renderImage(dark, settingsOf("sppm", "auto"), 2, &s, onGpu);
+    renderImage(dark, settingsOf(Mode::sppm, Accel::automatic), 2, &s, onGpu);
     for (const char* purpose : {"photons", "photon paths", "grid", "gather points", "lights", "tree", "scan and sort"})
       CHECK_MESSAGE(s.bytes.count(purpose) == 0, purpose);
     for (const char* stage : {"TracePhotons", "TraceTails", "Sort", "Scan", "GatherRadius"})

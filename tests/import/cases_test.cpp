@@ -13,8 +13,8 @@ namespace {
 Scene load(const std::string& name) { return loadScene(std::string(ROPELIGHT_ASSETS) + "/../tests/cases/" + name); }
 
 /// Mean over the film of the scene.
-double seen(const Scene& scene, const std::string& mode, const BackendChoice& backend, int iterations,
-            const std::string& aov = "radiance", std::uint64_t photons = 30000) {
+double seen(const Scene& scene, Mode mode, const BackendChoice& backend, int iterations, Aov aov = Aov::radiance,
+            std::uint64_t photons = 30000) {
   Settings settings = settingsFor(mode, scene.film.width, scene.film.height);
   settings.aov = aov;
   settings.photons = photons;
@@ -35,28 +35,28 @@ TEST_CASE("cases: glass on a floor, touching glass, lights in a ceiling, a small
                                {"small-lamp.json", 0.25, 0.005},   {"box_far1e6.json", 2, 0.01}};
   for (const BackendChoice& backend : everyBackend())
     for (const Expected& row : rows)
-      for (const char* mode : {"path", "sppm"}) {
-        CAPTURE(backend.backend);
+      for (Mode const mode : {Mode::path, Mode::sppm}) {
+        CAPTURE(nameOf(backend.backend));
         CAPTURE(row.file);
-        CAPTURE(mode);
+        CAPTURE(nameOf(mode));
         CHECK(seen(load(row.file), mode, backend, 32) == doctest::Approx(row.value).epsilon(row.tolerance));
       }
 }
 
 TEST_CASE("cases: a doorway in one polygon stays open") {
   for (const BackendChoice& backend : everyBackend())
-    CHECK(seen(load("door.json"), "path", backend, 16, "albedo") == doctest::Approx(0.3541).epsilon(0.005));
+    CHECK(seen(load("door.json"), Mode::path, backend, 16, Aov::albedo) == doctest::Approx(0.3541).epsilon(0.005));
 }
 
 TEST_CASE("cases: a ring at map coordinates looks like the same ring at the origin") {
   for (const BackendChoice& backend : everyBackend())
-    for (const char* mode : {"path", "sppm"}) {
+    for (Mode const mode : {Mode::path, Mode::sppm}) {
       auto const tiles = [&](const char* file) {
         Settings settings = settingsFor(mode, 48, 48);
         settings.photons = 20000;
         return tileStatistics(renderSeeds(load(file), settings, 8, 6, backend), 16);
       };
-      CAPTURE(mode);
+      CAPTURE(nameOf(mode));
       CHECK(disagreement(tiles("utm.obj"), tiles("local.obj"), 0.01) == "");
     }
 }

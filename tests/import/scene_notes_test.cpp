@@ -142,8 +142,8 @@ TEST_CASE("an opening in a wall's outline stays open") {
     "materials": {"w": {"type": "diffuse", "albedo": 0.8}, "k": {"type": "diffuse", "albedo": 0}},
     "shapes": [{"type": "mesh", "file": "door.obj", "material": "w"},
       {"type": "sphere", "center": [2, 1.5, 20], "radius": 1, "material": "k", "emission": {"radiance": 100}}]})"));
-  Settings settings = testing::settingsFor("path", 128, 128);
-  settings.aov = "albedo";
+  Settings settings = testing::settingsFor(Mode::path, 128, 128);
+  settings.aov = Aov::albedo;
   double const edge = 20 * std::tan(12 * M_PI / 180);  // of what the picture shows of the wall's plane
   CHECK(testing::meanOf(testing::renderImage(scene, settings, 16)) ==
         doctest::Approx(0.8 * 8 / (edge * edge)).epsilon(0.003));

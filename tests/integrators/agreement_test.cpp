@@ -30,7 +30,7 @@ std::vector<Case> cases() {
 }
 
 Settings progressive() {
-  Settings s = settingsFor("sppm", size, size);
+  Settings s = settingsFor(Mode::sppm, size, size);
   s.photons = 131072;
   s.radius = 0.012;
   return s;
@@ -74,7 +74,7 @@ TEST_SUITE("slow") {
       std::string const name = c.name;
       CAPTURE(name);
       Scene const scene = fromOracle(c.scene);
-      Settings path = settingsFor("path", size, size);
+      Settings path = settingsFor(Mode::path, size, size);
       path.indirectOnly = true;
       Settings sppm = progressive();
       sppm.indirectOnly = true;
@@ -92,7 +92,8 @@ TEST_SUITE("slow") {
       std::string const name = c.name;
       CAPTURE(name);
       Scene const scene = fromOracle(c.scene);
-      TileStatistics const byPath = tileStatistics(renderSeeds(scene, settingsFor("path", size, size), 96, 8), tile);
+      TileStatistics const byPath =
+          tileStatistics(renderSeeds(scene, settingsFor(Mode::path, size, size), 96, 8), tile);
       TileStatistics const bySppm = tileStatistics(renderSeeds(scene, progressive(), 24, 8), tile);
       TileStatistics const byOracle = oracleTiles(c.scene, 400, false);
       CHECK(disagreement(bySppm, byPath, 0.02) == "");
@@ -110,7 +111,7 @@ TEST_SUITE("slow") {
     }
     Image const reference = readExr(file.string());
     Scene const scene = loadScene(std::string(ROPELIGHT_ASSETS) + "/box-spheres-diffuse.json");
-    Settings settings = settingsFor("sppm", 512, 512);
+    Settings settings = settingsFor(Mode::sppm, 512, 512);
     settings.photons = 1u << 20;
     settings.radius = 0.004;  // small: discs cut by the room's edges darken the tiles along them
     std::vector<Image> const images = renderSeeds(scene, settings, 4, 4);
@@ -129,17 +130,17 @@ TEST_SUITE("slow") {
 
 TEST_CASE("ray is sppm without its photons") {
   Scene const scene = fromOracle(oracle::diffuseBox(48, 32));
-  Settings direct = settingsFor("path", 48, 32);
+  Settings direct = settingsFor(Mode::path, 48, 32);
   direct.maxDepth = 2;
   double const byPath = meanOf(renderImage(scene, direct, 256));
-  CHECK(meanOf(renderImage(scene, settingsFor("ray", 48, 32), 64)) == doctest::Approx(byPath).epsilon(0.01));
+  CHECK(meanOf(renderImage(scene, settingsFor(Mode::ray, 48, 32), 64)) == doctest::Approx(byPath).epsilon(0.01));
 }
 
 TEST_CASE("a depth limit means the same in path and sppm" * doctest::test_suite("slow")) {
   Scene const scene = fromOracle(oracle::boxSpheresDiffuse(32, 32));
   for (int depth : {2, 3, 4, 6}) {
     CAPTURE(depth);
-    Settings path = settingsFor("path", 32, 32), sppm = progressive();
+    Settings path = settingsFor(Mode::path, 32, 32), sppm = progressive();
     sppm.width = sppm.height = 32;
     path.maxDepth = sppm.maxDepth = depth;
     double const expected = meanOf(renderImage(scene, path, 512));
@@ -153,7 +154,7 @@ TEST_CASE("k nearest and a fixed radius estimate the same light" * doctest::test
   radius.width = radius.height = 48;
   radius.radius = 0.05;
   Settings nearest = radius;
-  nearest.gather = "nearest";
+  nearest.gather = GatherBy::nearest;
   nearest.nearest = 20;
   double const expected = meanOf(renderImage(scene, radius, 8));
   CHECK(meanOf(renderImage(scene, nearest, 8)) == doctest::Approx(expected).epsilon(0.02));

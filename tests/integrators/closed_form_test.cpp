@@ -44,9 +44,9 @@ TEST_CASE("a closed furnace shows 1/(1 - albedo) in path and sppm" * doctest::te
   for (float albedo : {0.2f, 0.5f, 0.8f}) {
     CAPTURE(albedo);
     double const expected = 1 / (1 - double(albedo));
-    Image const path = renderImage(furnace(albedo), settingsFor("path", 32, 32), 128);
+    Image const path = renderImage(furnace(albedo), settingsFor(Mode::path, 32, 32), 128);
     CHECK(meanOf(path) == doctest::Approx(expected).epsilon(0.005));
-    Settings settings = settingsFor("sppm", 32, 32);
+    Settings settings = settingsFor(Mode::sppm, 32, 32);
     settings.photons = 65536;
     settings.radius = 0.05;
     Image const sppm = renderImage(furnace(albedo), settings, 16);
@@ -58,8 +58,8 @@ TEST_CASE("a furnace of an ellipsoid is as bright") {
   Scene scene = furnace(0.5f);
   scene.shapes[0].toWorld[0] *= 2.0;
   scene.shapes[0].toWorld[1] *= 0.7;
-  CHECK(meanOf(renderImage(scene, settingsFor("path", 32, 32), 256)) == doctest::Approx(2).epsilon(0.01));
-  Settings settings = settingsFor("sppm", 32, 32);
+  CHECK(meanOf(renderImage(scene, settingsFor(Mode::path, 32, 32), 256)) == doctest::Approx(2).epsilon(0.01));
+  Settings settings = settingsFor(Mode::sppm, 32, 32);
   settings.photons = 65536;
   settings.radius = 0.03;
   CHECK(meanOf(renderImage(scene, settings, 16)) == doctest::Approx(2).epsilon(0.01));
@@ -74,7 +74,7 @@ TEST_CASE("irradiance under a sphere light is pi L (R/d)^2 cos") {
     lookAtFloor(scene, x);
     double const d = std::hypot(x, 2.0);
     double const radiance = 3 * (0.5 / d) * (0.5 / d) * (2 / d);  // E/π for albedo 1
-    for (const char* mode : {"ray", "path"}) {
+    for (Mode const mode : {Mode::ray, Mode::path}) {
       Settings settings = settingsFor(mode, 16, 16);
       settings.maxDepth = 2;
       CHECK(meanOf(renderImage(scene, settings, 256)) == doctest::Approx(radiance).epsilon(0.003));
@@ -90,7 +90,7 @@ TEST_CASE("irradiance under a quad light has the closed form") {
     addQuad(scene, {-0.6, 1.5, -0.4}, {1.2, 0, 0}, {0, 0, 0.8}).emission = Emission{Rgb(2), Side::out};
     lookAtFloor(scene, x);
     double const radiance = 2 * rectangleFactor(-0.6 - x, 0.6 - x, -0.4, 0.4, 1.5);
-    for (const char* mode : {"ray", "path"}) {
+    for (Mode const mode : {Mode::ray, Mode::path}) {
       Settings settings = settingsFor(mode, 16, 16);
       settings.maxDepth = 2;
       CHECK(meanOf(renderImage(scene, settings, 256)) == doctest::Approx(radiance).epsilon(0.003));
@@ -104,11 +104,11 @@ TEST_CASE("photons carry the direct light of shadow rays" * doctest::test_suite(
   addQuad(scene, {-0.6, 1.5, -0.4}, {1.2, 0, 0}, {0, 0, 0.8}).emission = Emission{Rgb(2), Side::out};
   addSphere(scene, {1, 3, 0}, 0.4).emission = Emission{Rgb(1, 5, 2), Side::out};
   lookAt(scene, {0.3, 1, 0}, {0.3, 0, 0}, {0, 0, 1}, 40);
-  Settings shadow = settingsFor("ray", 32, 32);
+  Settings shadow = settingsFor(Mode::ray, 32, 32);
   shadow.maxDepth = 2;
   Settings photons = shadow;
-  photons.mode = "sppm";
-  photons.direct = "photons";
+  photons.mode = Mode::sppm;
+  photons.direct = DirectLight::photons;
   photons.photons = 262144;
   photons.radius = 0.1;
   double const expected = meanOf(renderImage(scene, shadow, 128));
@@ -124,7 +124,7 @@ TEST_CASE("the caustic of a plane mirror is the light of its image source" * doc
   addQuad(scene, {0.2, 1, -0.2}, {0.4, 0, 0}, {0, 0, 0.4}).emission = Emission{Rgb(4), Side::out};
   double const x = 0.3;
   lookAtFloor(scene, x);
-  Settings settings = settingsFor("sppm", 16, 16);
+  Settings settings = settingsFor(Mode::sppm, 16, 16);
   settings.maxDepth = 3;  // camera, mirror, light
   settings.indirectOnly = true;
   settings.photons = 262144;

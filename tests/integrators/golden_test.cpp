@@ -56,7 +56,7 @@ std::string mathLibrary() {
 }
 
 std::string makerOf(const BackendChoice& backend) {
-  if (backend.backend == "cpu") return mathLibrary();
+  if (backend.backend == BackendKind::cpu) return mathLibrary();
   for (const DeviceInfo& device : listDevices())
     if (device.backend == backend.backend && device.usable) return device.name;
   return "";
@@ -68,8 +68,8 @@ std::map<std::string, std::string> films(const BackendChoice& backend) {
     if (entry.path().extension() != ".json") continue;
     if (entry.path().stem() == "bumpy" && !fs::exists(fs::path(ROPELIGHT_ASSETS) / "generated/bumpy100k.obj")) continue;
     Scene const scene = loadScene(entry.path());
-    for (const char* mode : {"ray", "path", "sppm"})
-      found[entry.path().stem().string() + " " + mode] =
+    for (Mode const mode : {Mode::ray, Mode::path, Mode::sppm})
+      found[entry.path().stem().string() + " " + nameOf(mode)] =
           hashOf(renderImage(scene, settingsFor(mode, 128, 128), 8, nullptr, backend));
   }
   return found;
@@ -109,8 +109,8 @@ void compare(const fs::path& path, const std::string& maker, const BackendChoice
 TEST_SUITE("slow") {
   TEST_CASE("golden: films of the assets have the bits that they had") {
     for (const BackendChoice& backend : everyBackend()) {
-      CAPTURE(backend.backend);
-      std::string const maker = makerOf(backend), file = backend.backend + ".txt";
+      CAPTURE(nameOf(backend.backend));
+      std::string const maker = makerOf(backend), file = std::string(nameOf(backend.backend)) + ".txt";
       if (const char* folder = std::getenv("ROPELIGHT_RENEW_GOLDEN"))
         write(fs::path(folder) / file, maker, films(backend));
       else

@@ -36,7 +36,7 @@ Scene brightRoom() {
   return scene;
 }
 
-Settings small(const std::string& mode) {
+Settings small(Mode mode) {
   Settings s = settingsFor(mode, 40, 30);
   s.photons = 20000;
   return s;
@@ -45,18 +45,18 @@ Settings small(const std::string& mode) {
 }  // namespace
 
 TEST_CASE("the image does not depend on the number of threads") {
-  for (const char* mode : {"ray", "path", "sppm"}) {
-    CAPTURE(mode);
-    Image const one = renderImage(openRoom(), small(mode), 3, nullptr, {"cpu", 0, 1, false});
+  for (Mode const mode : {Mode::ray, Mode::path, Mode::sppm}) {
+    CAPTURE(nameOf(mode));
+    Image const one = renderImage(openRoom(), small(mode), 3, nullptr, {BackendKind::cpu, 0, 1, false});
     for (int threads : {2, 3, 5}) {
       CAPTURE(threads);
-      CHECK(sameBits(one, renderImage(openRoom(), small(mode), 3, nullptr, {"cpu", 0, threads, false})));
+      CHECK(sameBits(one, renderImage(openRoom(), small(mode), 3, nullptr, {BackendKind::cpu, 0, threads, false})));
     }
   }
 }
 
 TEST_CASE("the image does not depend on how iterations are asked for, and reset starts again") {
-  auto const integrator = makeIntegrator(openRoom(), small("sppm"), {"cpu", 0, 0, false});
+  auto const integrator = makeIntegrator(openRoom(), small(Mode::sppm), {BackendKind::cpu, 0, 0, false});
   integrator->advance(5);
   Image const atOnce = integrator->film();
   integrator->reset();
@@ -69,7 +69,7 @@ TEST_CASE("the image does not depend on how iterations are asked for, and reset 
 }
 
 TEST_CASE("seeds differ") {
-  Settings settings = small("sppm");
+  Settings settings = small(Mode::sppm);
   Image const a = renderImage(openRoom(), settings, 2);
   settings.seed = 1ull << 40;
   CHECK(largestDifference(a, renderImage(openRoom(), settings, 2)) > 0);
@@ -77,7 +77,7 @@ TEST_CASE("seeds differ") {
 
 TEST_CASE("photons that do not fit are traced again after growing, and none is lost") {
   Stats stats;
-  Settings settings = small("sppm");
+  Settings settings = small(Mode::sppm);
   Image const grown = renderImage(brightRoom(), settings, 4, &stats);
   CHECK(stats.regrown >= 1);
   CHECK(stats.iterations == 4);
@@ -89,7 +89,7 @@ TEST_CASE("photons that do not fit are traced again after growing, and none is l
 }
 
 TEST_CASE("an iteration in chunks is the iteration at once") {
-  Settings settings = small("sppm");
+  Settings settings = small(Mode::sppm);
   settings.photons = 200000;
   Image const atOnce = renderImage(openRoom(), settings, 2);
   settings.photonMemory = 16;
@@ -97,7 +97,7 @@ TEST_CASE("an iteration in chunks is the iteration at once") {
   Image const inChunks = renderImage(openRoom(), settings, 2, &stats);
   CHECK(stats.chunks > 1);
   CHECK(largestDifference(atOnce, inChunks) < 1e-4);
-  settings.gather = "nearest";
+  settings.gather = GatherBy::nearest;
   CHECK_THROWS_WITH_AS(renderImage(openRoom(), settings, 1), doctest::Contains("k-nearest"), Error);
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("what a scene does not need is not allocated and not launched") {
   addBox(dark, {-1, -1, -1}, {1, 1, 1});
   lookAt(dark, {0, 0, 0.5}, {0, 0, 0}, {0, 1, 0}, 60);
   Stats s;
-  renderImage(dark, small("sppm"), 2, &s);
+  renderImage(dark, small(Mode::sppm), 2, &s);
   for (const char* purpose :
        {"photons", "photon paths", "grid", "gather points", "lights", "spheres", "triangles", "tree"})
     CHECK_MESSAGE(s.bytes.count(purpose) == 0, purpose);
@@ -116,13 +116,13 @@ TEST_CASE("what a scene does not need is not allocated and not launched") {
   CHECK(s.photonPaths == 0);
   CHECK(s.launches.at("TraceCamera") == 2);
 
-  renderImage(openRoom(), small("ray"), 1, &s);
+  renderImage(openRoom(), small(Mode::ray), 1, &s);
   CHECK(s.bytes.count("photons") + s.bytes.count("grid") + s.bytes.count("gather points") == 0);
   CHECK(s.bytes.count("tree") + s.bytes.count("triangles") == 0);
   CHECK(s.kernelRow == "basic");
 
-  Settings tree = small("sppm");
-  tree.accel = "tree";
+  Settings tree = small(Mode::sppm);
+  tree.accel = Accel::tree;
   renderImage(openRoom(), tree, 1, &s);
   CHECK(s.bytes.at("tree") > 0);
   CHECK(s.bytes.at("photons") > 0);
@@ -130,12 +130,12 @@ TEST_CASE("what a scene does not need is not allocated and not launched") {
 }
 
 TEST_CASE("a tree changes nothing in the image") {
-  Settings settings = small("sppm");
-  settings.accel = "brute";
+  Settings settings = small(Mode::sppm);
+  settings.accel = Accel::brute;
   Image const brute = renderImage(openRoom(), settings, 2);
-  settings.accel = "tree";
+  settings.accel = Accel::tree;
   CHECK(sameBits(brute, renderImage(openRoom(), settings, 2)));
-  settings.split = "midpoint";
+  settings.split = SplitBy::midpoint;
   CHECK(sameBits(brute, renderImage(openRoom(), settings, 2)));
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("up is up and left is left") {
     addQuad(scene, {i % 2 ? 0.1 : -0.9, i < 2 ? 0.1 : -0.9, 0}, {0.8, 0, 0}, {0, 0.8, 0}).emission =
         Emission{colours[i], Side::out};
   lookAt(scene, {0, 0, 2}, {0, 0, 0}, {0, 1, 0}, 53.13);
-  Image const image = renderImage(scene, settingsFor("ray", 40, 40), 1);
+  Image const image = renderImage(scene, settingsFor(Mode::ray, 40, 40), 1);
   CHECK(image.at(10, 10) == colours[0]);
   CHECK(image.at(30, 10) == colours[1]);
   CHECK(image.at(10, 30) == colours[2]);
@@ -162,7 +162,7 @@ TEST_CASE("a thin lens blurs what is out of focus and keeps what is in focus") {
   auto const grey = [&](double focus) {  // pixels that are neither black nor white
     scene.camera.focusDistance = focus;
     int count = 0;
-    for (Rgb p : renderImage(scene, settingsFor("ray", 48, 48), 32).pixels) count += p.x > 0.02f && p.x < 0.98f;
+    for (Rgb p : renderImage(scene, settingsFor(Mode::ray, 48, 48), 32).pixels) count += p.x > 0.02f && p.x < 0.98f;
     return count;
   };
   CHECK(grey(4) < 200);
@@ -176,15 +176,15 @@ TEST_CASE("photons do not leak through a thin wall") {
   addBox(scene, {-0.001, 0, -1}, {0.001, 1, 1});
   addSphere(scene, {0.5, 0.5, 0}, 0.1).emission = Emission{Rgb(10), Side::out};
   lookAt(scene, {-0.5, 0.5, 0}, {0, 0.5, 0}, {0, 1, 0}, 30);  // the wall alone, from the dark room
-  Settings settings = small("sppm");
+  Settings settings = small(Mode::sppm);
   settings.radius = 0.05;
   CHECK(meanOf(renderImage(scene, settings, 4)) == 0);
 }
 
 TEST_CASE("settings that contradict the program are refused") {
-  Settings settings = small("sppm");
-  settings.gather = "sideways";
-  CHECK_THROWS_WITH_AS(renderImage(openRoom(), settings, 1), doctest::Contains("gather"), Error);
-  CHECK_THROWS_WITH_AS(renderImage(openRoom(), small("sppm"), 1, nullptr, {"tpu", 0, 0, false}),
-                       doctest::Contains("tpu"), Error);
+  Settings settings = small(Mode::sppm);
+  settings.mode = Mode::path;
+  settings.aov = Aov::photonCount;
+  CHECK_THROWS_WITH_AS(renderImage(openRoom(), settings, 1), doctest::Contains("--aov photon-count: only --mode sppm"),
+                       Error);
 }

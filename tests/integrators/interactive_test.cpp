@@ -18,13 +18,13 @@ namespace {
 
 Scene asset(const char* name) { return loadScene(std::string(ROPELIGHT_ASSETS) + "/" + name + ".json"); }
 
-Settings smallSettings(const char* mode) {
+Settings smallSettings(Mode mode) {
   Settings s = settingsFor(mode, 40, 28);
   s.photons = 3000;
   return s;
 }
 
-const BackendChoice onCpu{"cpu", 0, 0, false};
+const BackendChoice onCpu{BackendKind::cpu, 0, 0, false};
 
 bool sameBits(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height &&
@@ -39,8 +39,8 @@ TEST_CASE("a restarted integrator renders the same bits as a new one") {
   Scene scene = asset("cornell-caustics");
   CameraDesc moved = scene.camera;
   moved.position += Vec3d(0.3, 0.1, -0.2);
-  for (const char* mode : {"ray", "path", "sppm"}) {
-    CAPTURE(mode);
+  for (Mode const mode : {Mode::ray, Mode::path, Mode::sppm}) {
+    CAPTURE(nameOf(mode));
     auto const integrator = makeIntegrator(scene, smallSettings(mode), onCpu);
     REQUIRE(integrator->advance(3));
     Settings other = smallSettings(mode);
@@ -48,7 +48,7 @@ TEST_CASE("a restarted integrator renders the same bits as a new one") {
     other.photons = 5000;
     other.seed = 5;
     other.maxDepth = 5;
-    other.direct = "photons";
+    other.direct = DirectLight::photons;
     REQUIRE(integrator->restart(moved, other));
     CHECK(integrator->stats().iterations == 0);
     REQUIRE(integrator->advance(3));
@@ -63,13 +63,13 @@ TEST_CASE("a restarted integrator renders the same bits as a new one") {
 
 TEST_CASE("restart refuses what needs another integrator, and changes nothing then") {
   Scene const scene = asset("cornell");
-  auto const integrator = makeIntegrator(scene, smallSettings("sppm"), onCpu);
+  auto const integrator = makeIntegrator(scene, smallSettings(Mode::sppm), onCpu);
   REQUIRE(integrator->advance(2));
-  Settings const before = smallSettings("sppm");
+  Settings const before = smallSettings(Mode::sppm);
   Settings mode = before, aov = before, tree = before;
-  mode.mode = "path";
-  aov.aov = "depth";
-  tree.accel = "tree";
+  mode.mode = Mode::path;
+  aov.aov = Aov::depth;
+  tree.accel = Accel::tree;
   CameraDesc lens = scene.camera, far = scene.camera;
   lens.apertureRadius = 0.1;        // other kernels
   far.position = Vec3d(0, 0, 1e6);  // the tree's margins were made for rays of a smaller world
@@ -77,7 +77,7 @@ TEST_CASE("restart refuses what needs another integrator, and changes nothing th
   for (const CameraDesc& c : {lens, far}) CHECK_FALSE(integrator->restart(c, before));
   CHECK(integrator->stats().iterations == 2);
   Settings wrong = before;
-  wrong.gather = "everything";
+  wrong.width = wrong.height = 65536;
   CHECK_THROWS_AS(integrator->restart(scene.camera, wrong), Error);
   REQUIRE(integrator->advance(1));
   CHECK(sameBits(integrator->film(), renderImage(scene, before, 3)));
@@ -85,8 +85,8 @@ TEST_CASE("restart refuses what needs another integrator, and changes nothing th
 
 TEST_CASE("a camera far outside gets a tree with wider margins") {
   Scene scene = asset("cornell");
-  Settings s = smallSettings("ray");
-  s.accel = "tree";
+  Settings s = smallSettings(Mode::ray);
+  s.accel = Accel::tree;
   auto const cache = makeSceneCache(scene);
   auto const near = makeIntegrator(scene, s, onCpu, nullptr, cache);
   auto const sharing = makeIntegrator(scene, s, onCpu, nullptr, cache);
@@ -97,13 +97,13 @@ TEST_CASE("a camera far outside gets a tree with wider margins") {
   CHECK(far->tree() != near->tree());
   REQUIRE(far->advance(4));
   Settings brute = s;
-  brute.accel = "brute";
+  brute.accel = Accel::brute;
   CHECK(sameBits(far->film(), renderImage(scene, brute, 4)));
 }
 
 TEST_CASE("an interrupted integrator stops soon, and a reset makes it whole") {
   Scene const scene = asset("cornell");
-  Settings s = settingsFor("path", 512, 512);
+  Settings s = settingsFor(Mode::path, 512, 512);
   auto const integrator = makeIntegrator(scene, s, onCpu);
   std::thread stopper([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
@@ -123,7 +123,7 @@ TEST_CASE("an interrupted integrator stops soon, and a reset makes it whole") {
 
 TEST_CASE("pixels to show are the film, row by row from the top") {
   Scene const scene = asset("cornell-caustics");
-  auto const integrator = makeIntegrator(scene, smallSettings("sppm"), onCpu);
+  auto const integrator = makeIntegrator(scene, smallSettings(Mode::sppm), onCpu);
   REQUIRE(integrator->advance(2));
   REQUIRE(integrator->present());
   Image const film = integrator->film();
@@ -139,7 +139,7 @@ TEST_CASE("pixels to show are the film, row by row from the top") {
 
 TEST_CASE("photons to show carry all of the flux, and tell caustics from the rest") {
   Scene const scene = asset("cornell-caustics");
-  auto const integrator = makeIntegrator(scene, smallSettings("sppm"), onCpu);
+  auto const integrator = makeIntegrator(scene, smallSettings(Mode::sppm), onCpu);
   CHECK(integrator->presentPhotons(1000) == 0);
   REQUIRE(integrator->advance(1));
   std::uint64_t const stored = integrator->stats().photonsStored;
@@ -160,7 +160,7 @@ TEST_CASE("photons to show carry all of the flux, and tell caustics from the res
   CHECK(integrator->presentPhotons(100) == 100);
 
   Scene const matt = asset("cornell");
-  auto const plain = makeIntegrator(matt, smallSettings("sppm"), onCpu);
+  auto const plain = makeIntegrator(matt, smallSettings(Mode::sppm), onCpu);
   REQUIRE(plain->advance(1));
   points.resize(plain->presentPhotons(1u << 30));
   plain->copyPhotons(points.data(), std::uint32_t(points.size()));
@@ -173,13 +173,13 @@ TEST_CASE("first-hit films: normals are unit, depth is distance, albedo is the m
   addQuad(scene, Vec3d(-5, -5, 0), Vec3d(10, 0, 0), Vec3d(0, 10, 0));
   addSphere(scene, Vec3d(0, 0, 3), 0.5, addMaterial(scene, MirrorParams{Rgb(0.9f, 0.8f, 0.7f)}));
   lookAt(scene, Vec3d(0, 0, 8), Vec3d(0), Vec3d(0, 1, 0), 20);
-  Settings s = settingsFor("ray", 33, 33);
-  auto const filmOf = [&](const char* aov) {
+  Settings s = settingsFor(Mode::ray, 33, 33);
+  auto const filmOf = [&](Aov aov) {
     s.aov = aov;
     Image const film = renderImage(scene, s, 4);
     return film;
   };
-  Image const depth = filmOf("depth"), albedo = filmOf("albedo"), normal = filmOf("normal");
+  Image const depth = filmOf(Aov::depth), albedo = filmOf(Aov::albedo), normal = filmOf(Aov::normal);
   CHECK(depth.at(16, 16).x == doctest::Approx(4.5).epsilon(1e-3));
   double const corner = 8 / std::cos(std::atan(std::tan(10 * M_PI / 180) * std::sqrt(2.0) * 32 / 33));
   CHECK(depth.at(0, 0).x == doctest::Approx(corner).epsilon(2e-3));
@@ -187,36 +187,36 @@ TEST_CASE("first-hit films: normals are unit, depth is distance, albedo is the m
   CHECK(albedo.at(16, 16).z == doctest::Approx(0.7));
   CHECK(normal.at(16, 16).z > 0.99f);
   CHECK(normal.at(1, 16).z == doctest::Approx(1));
-  s.accel = "brute";
-  CHECK(filmOf("tests").at(3, 3).x == doctest::Approx(2));
-  CHECK(filmOf("traversal").at(3, 3).x == doctest::Approx(2));
-  s.accel = "tree";
-  CHECK(filmOf("tests").at(0, 0).x <= 2);
-  CHECK(filmOf("traversal").at(0, 0).x >= 1 + filmOf("tests").at(0, 0).x);
+  s.accel = Accel::brute;
+  CHECK(filmOf(Aov::tests).at(3, 3).x == doctest::Approx(2));
+  CHECK(filmOf(Aov::traversal).at(3, 3).x == doctest::Approx(2));
+  s.accel = Accel::tree;
+  CHECK(filmOf(Aov::tests).at(0, 0).x <= 2);
+  CHECK(filmOf(Aov::traversal).at(0, 0).x >= 1 + filmOf(Aov::tests).at(0, 0).x);
 }
 
 TEST_CASE("the gather's own films: photons counted, and the radius that was searched") {
   Scene const scene = asset("cornell");
-  Settings s = smallSettings("sppm");
-  s.aov = "gather-radius";
+  Settings s = smallSettings(Mode::sppm);
+  s.aov = Aov::gatherRadius;
   s.radius = 0.05;
   Stats stats;
   Image const radius = renderImage(scene, s, 1, &stats);
   CHECK(radius.at(20, 14).x == doctest::Approx(stats.radius));
-  s.gather = "nearest";
+  s.gather = GatherBy::nearest;
   s.nearest = 3;
   Image const nearest = renderImage(scene, s, 1);
   CHECK(nearest.at(20, 14).x <= doctest::Approx(stats.radius));
   CHECK(meanOf(nearest) < meanOf(radius));
-  s.gather = "radius";
-  s.aov = "photon-count";
+  s.gather = GatherBy::radius;
+  s.aov = Aov::photonCount;
   Image const once = renderImage(scene, s, 1);
   s.photons *= 2;
   Image const twice = renderImage(scene, s, 1);
   CHECK(meanOf(twice) == doctest::Approx(2 * meanOf(once)).epsilon(0.05));
   s.photonMemory = 1;  // several chunks count together
   CHECK(difference(renderImage(scene, s, 1, &stats), twice) < 1e-4 * meanOf(twice));
-  s.mode = "path";
+  s.mode = Mode::path;
   CHECK_THROWS_AS(renderImage(scene, s, 1), Error);
 }
 

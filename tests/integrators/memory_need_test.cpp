@@ -34,13 +34,13 @@ constexpr std::uint64_t mib = 1 << 20;
 }  // namespace
 
 TEST_CASE("what an integrator is said to need is what its ledger has") {
-  for (const char* mode : {"ray", "path", "sppm"})
+  for (Mode const mode : {Mode::ray, Mode::path, Mode::sppm})
     for (const auto& [width, height] : {std::pair(64, 48), std::pair(13, 7), std::pair(512, 300), std::pair(300, 1)}) {
       Settings settings = settingsFor(mode, width, height);
       settings.photons = std::uint64_t(width) * 100;
-      CAPTURE(mode);
+      CAPTURE(nameOf(mode));
       CAPTURE(width);
-      Stats const stats = makeIntegrator(litQuad(), settings, {"cpu", 0, 0, false})->stats();
+      Stats const stats = makeIntegrator(litQuad(), settings, {BackendKind::cpu, 0, 0, false})->stats();
       auto const need = memoryNeed(stats.settings, stats.features, cpuDevice(0).memory);
       for (const auto& [purpose, bytes] : need) CHECK_MESSAGE(stats.bytes.at(purpose) == bytes, purpose);
       for (const char* purpose : {"film", "gather points", "photons", "photon paths", "grid"})
@@ -49,7 +49,7 @@ TEST_CASE("what an integrator is said to need is what its ledger has") {
 }
 
 TEST_CASE("the photons' budget bounds what they are said to need") {
-  Settings settings = settingsFor("sppm", 16, 16);
+  Settings settings = settingsFor(Mode::sppm, 16, 16);
   settings.photons = 1u << 28;
   settings.photonMemory = 100;
   auto const need = memoryNeed(settings, feature::photons, 1ull << 40);
@@ -57,14 +57,14 @@ TEST_CASE("the photons' budget bounds what they are said to need") {
 }
 
 TEST_CASE("more than there is is refused before it is taken") {
-  Settings settings = settingsFor("path", 16, 16);
+  Settings settings = settingsFor(Mode::path, 16, 16);
   settings.photons = 1;
   CHECK(imageBytes(settings) == 16 * 16 * 12);
-  auto const integrator = makeIntegrator(litQuad(), settings, {"cpu", 0, 0, false});
+  auto const integrator = makeIntegrator(litQuad(), settings, {BackendKind::cpu, 0, 0, false});
   Settings huge = settings;
   huge.width = huge.height = 16384;
   if (availableMemory() > 12 * 1024 * mib) return;  // there is that much
-  CHECK_THROWS_AS(makeIntegrator(litQuad(), huge, {"cpu", 0, 0, false}), Error);
+  CHECK_THROWS_AS(makeIntegrator(litQuad(), huge, {BackendKind::cpu, 0, 0, false}), Error);
   CHECK_THROWS_AS(integrator->restart(litQuad().camera, huge), Error);
   CHECK(integrator->advance(1));
 }

@@ -66,7 +66,7 @@ std::vector<Lamp> lamps(double size) {
           {"box", squareFactor(size), box}};
 }
 
-double seen(const Lamp& lamp, const char* mode, int iterations, const BackendChoice& backend) {
+double seen(const Lamp& lamp, Mode mode, int iterations, const BackendChoice& backend) {
   Settings settings = settingsFor(mode, 16, 16);
   settings.photons = 1024;
   settings.maxDepth = 2;
@@ -80,11 +80,11 @@ TEST_CASE("lights of 1e-7 to 1e6 of their distance keep their irradiance within 
   for (const BackendChoice& backend : everyBackend())
     for (int decade = -7; decade <= 6; ++decade)
       for (const Lamp& lamp : lamps(std::pow(10.0, decade)))
-        for (const char* mode : {"path", "sppm", "ray"}) {
-          CAPTURE(backend.backend);
+        for (Mode const mode : {Mode::path, Mode::sppm, Mode::ray}) {
+          CAPTURE(nameOf(backend.backend));
           CAPTURE(decade);
           CAPTURE(lamp.shape);
-          CAPTURE(mode);
+          CAPTURE(nameOf(mode));
           CHECK(seen(lamp, mode, 256, backend) == doctest::Approx(0.25).epsilon(0.005));
         }
 }
@@ -105,7 +105,7 @@ TEST_CASE("the double-precision oracle agrees about lamps that are small or larg
     double const sigma = std::sqrt(tile.variance);
     CHECK(sigma < 0.002);
     CHECK(std::abs(tile.mean[0] - 0.25) < 4 * sigma);
-    CHECK(std::abs(seen(lamp, "path", 256, {"cpu", 0, 0, false}) - tile.mean[0]) < 4 * sigma + 0.001);
+    CHECK(std::abs(seen(lamp, Mode::path, 256, {BackendKind::cpu, 0, 0, false}) - tile.mean[0]) < 4 * sigma + 0.001);
   }
 }
 
@@ -116,12 +116,12 @@ TEST_CASE("a huge light that emits on both sides or inwards is seen from where i
     int const black = addMaterial(scene, DiffuseParams{Rgb(0.0f)});
     addSphere(scene, {0, 1e4 + 1, 0}, 1e4, black).emission = Emission{Rgb(1), side};
     lookAt(scene, {0, 0.001, 0}, {0, 0, 0}, {0, 0, 1}, 10);
-    for (const char* mode : {"path", "sppm"}) {
+    for (Mode const mode : {Mode::path, Mode::sppm}) {
       Settings settings = settingsFor(mode, 16, 16);
       settings.photons = 1024;
       settings.maxDepth = 2;
       CAPTURE(int(side));
-      CAPTURE(mode);
+      CAPTURE(nameOf(mode));
       CHECK(meanOf(renderImage(scene, settings, 64)) == doctest::Approx(side == Side::in ? 0.0 : 1.0).epsilon(0.005));
     }
   }
@@ -138,12 +138,12 @@ TEST_CASE("a wall that a large light touches is lit as the closed form says") {
   for (double h : {1.0, 0.1, 0.01}) {
     lookAt(scene, {0.001 * h, -h, 0}, {0, -h, 0}, {0, 1, 0}, 10);
     double const expected = (1 - h / std::hypot(h, b)) / 2;
-    for (const char* mode : {"path", "sppm"}) {
+    for (Mode const mode : {Mode::path, Mode::sppm}) {
       Settings settings = settingsFor(mode, 16, 16);
       settings.photons = 1024;
       settings.maxDepth = 2;
       CAPTURE(h);
-      CAPTURE(mode);
+      CAPTURE(nameOf(mode));
       CHECK(meanOf(renderImage(scene, settings, 512)) == doctest::Approx(expected).epsilon(0.01));
     }
   }

@@ -112,7 +112,7 @@ std::vector<Expected> expectedOf(const Stream& s, double radius) {
 
 std::unique_ptr<GatherStream> streamOf(const Stream& s) {
   BackendChoice choice;
-  choice.backend = "cpu";
+  choice.backend = BackendKind::cpu;
   std::unique_ptr<GatherStream> stream = makeGatherStream(choice);
   stream->setPhotons(s.photons, Bounds{Vec3d(0), Vec3d(1)});
   stream->setQueries(s.queries);

@@ -28,7 +28,7 @@ inline Image fakePicture(int width, std::uint64_t seed, double grain, double gai
 inline StudyMode fakeMode(const std::string& label, double factor, double exponent, double floor, int seeds) {
   StudyMode mode;
   mode.label = label;
-  mode.settings.mode = label.substr(0, label.find(':'));
+  mode.settings.mode = findChoice<Mode>(label.substr(0, label.find(':'))).value();
   mode.accel = "bvh";
   mode.kernels = "diffuse, specular";
   mode.setupSeconds = 0.0421;
@@ -53,7 +53,7 @@ inline StudyScene fakeScene(const std::string& name, int width, int seeds) {
                      .noise = 4.2e-5,
                      .variance = 1.1e-6,
                      .epsilon = 4.87e-4,
-                     .mode = "path",
+                     .mode = Mode::path,
                      .stats = {}};
   scene.modes = {fakeMode("path", 0.08, -1, 0, seeds), fakeMode("sppm", 0.02, -0.67, 0, seeds),
                  fakeMode("sppm:alpha=0.5", 0.022, -0.5, 0.002, seeds)};

@@ -105,7 +105,7 @@ void lookAt(Scene& scene, Vec3d position, Vec3d target, Vec3d up, double vertica
   scene.camera.verticalFov = verticalFov;
 }
 
-Settings settingsFor(const std::string& mode, int width, int height) {
+Settings settingsFor(Mode mode, int width, int height) {
   Settings s;
   s.mode = mode;
   s.width = width;
@@ -122,9 +122,10 @@ Image renderImage(const Scene& scene, const Settings& settings, int iterations, 
 }
 
 std::vector<BackendChoice> everyBackend() {
-  std::vector<BackendChoice> backends{{"cpu", 0, 0, false}};
+  std::vector<BackendChoice> backends{{BackendKind::cpu, 0, 0, false}};
   for (const DeviceInfo& d : listDevices())
-    if (d.backend == "cuda" && d.usable && backends.size() == 1) backends.push_back({"cuda", d.index, 0, false});
+    if (d.backend == BackendKind::cuda && d.usable && backends.size() == 1)
+      backends.push_back({BackendKind::cuda, d.index, 0, false});
   return backends;
 }
 

@@ -21,11 +21,11 @@ ShapeDesc& addSphere(Scene& scene, Vec3d center, double radius, int material = 0
 ShapeDesc& addBox(Scene& scene, Vec3d min, Vec3d max, int material = 0);
 void lookAt(Scene& scene, Vec3d position, Vec3d target, Vec3d up, double verticalFov);
 
-Settings settingsFor(const std::string& mode, int width, int height);
+Settings settingsFor(Mode mode, int width, int height);
 
 /// Image and statistics after `iterations` on the CPU, or on `backend`.
 Image renderImage(const Scene& scene, const Settings& settings, int iterations, Stats* stats = nullptr,
-                  const BackendChoice& backend = {"cpu", 0, 0, false});
+                  const BackendChoice& backend = {BackendKind::cpu, 0, 0, false});
 
 /// The CPU, and CUDA where there is a usable device.
 std::vector<BackendChoice> everyBackend();
@@ -41,7 +41,7 @@ TileStatistics tileStatistics(const std::vector<Image>& renderings, int tile);
 
 /// Renderings that differ by seed alone: seeds 1 … count.
 std::vector<Image> renderSeeds(const Scene& scene, Settings settings, int iterations, int count,
-                               const BackendChoice& backend = {"cpu", 0, 0, false});
+                               const BackendChoice& backend = {BackendKind::cpu, 0, 0, false});
 
 /// The tiles where a and b differ by more than `relative` of b and by more than three standard errors of the
 /// difference, in words; empty where all agree.

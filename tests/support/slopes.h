@@ -32,7 +32,7 @@ struct Courses {
 };
 
 inline std::vector<std::vector<double>> runCourse(const Scene& scene, const Settings& settings, const Counts& counts) {
-  auto const integrator = makeIntegrator(scene, settings, {"cpu", 0, 1, false});
+  auto const integrator = makeIntegrator(scene, settings, {BackendKind::cpu, 0, 1, false});
   std::vector<std::vector<double>> films;
   int done = 0;
   for (int count : counts) {

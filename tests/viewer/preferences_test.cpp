@@ -250,8 +250,8 @@ TEST_CASE("the preferences' file follows the environment") {
 TEST_CASE("settings come back as they were saved") {
   TemporaryFolder folder;
   Settings settings;
-  settings.mode = "path";
-  settings.aov = "albedo";
+  settings.mode = Mode::path;
+  settings.aov = Aov::albedo;
   settings.photons = 4294967295;
   settings.radius = 0.1;
   settings.seed = 18446744073709551615u;
@@ -261,8 +261,8 @@ TEST_CASE("settings come back as they were saved") {
   Settings const loaded = loadSettings(folder / "a.json");
   saveSettings(folder / "b.json", loaded);
   CHECK(fileBytes(folder / "a.json") == fileBytes(folder / "b.json"));
-  CHECK(loaded.mode == "path");
-  CHECK(loaded.aov == "albedo");
+  CHECK(loaded.mode == Mode::path);
+  CHECK(loaded.aov == Aov::albedo);
   CHECK(loaded.seed == 18446744073709551615u);
   CHECK(loaded.radius == 0.1);
   CHECK(loaded.indirectOnly);

@@ -45,8 +45,8 @@ TEST_CASE("Leaving a scalar view puts tone and brightness back") {
 TEST_CASE("A scalar view has a scale from its scene") {
   ViewState state;
   ViewMemory memory;
-  state.settings[0].aov = "gather-radius";
-  adaptTone(state, memory, "radiance", {.distance = 8, .firstRadius = 0.1});
+  state.settings[0].aov = Aov::gatherRadius;
+  adaptTone(state, memory, Aov::radiance, {.distance = 8, .firstRadius = 0.1});
   CHECK(state.tone.curve == Curve::falseColour);
   CHECK(state.tone.falseLow == doctest::Approx(0.01));
   CHECK(state.tone.falseHigh == doctest::Approx(0.2));
@@ -54,8 +54,8 @@ TEST_CASE("A scalar view has a scale from its scene") {
 
 TEST_CASE("Custom settings are no preset") {
   ViewState state;
-  state.settings[0].mode = "sppm";
-  state.settings[0].direct = "photons";
+  state.settings[0].mode = Mode::sppm;
+  state.settings[0].direct = DirectLight::photons;
   state.settings[0].indirectOnly = true;
   CHECK(currentPreset(state) == nullptr);
 }

@@ -20,7 +20,7 @@ std::shared_ptr<const Scene> asset(const char* name) {
   return std::make_shared<const Scene>(loadScene(std::string(ROPELIGHT_ASSETS) + "/" + name + ".json"));
 }
 
-Settings settingsOf(const char* mode, int width = 48) {
+Settings settingsOf(Mode mode, int width = 48) {
   Settings s = testing::settingsFor(mode, width, 32);
   s.photons = 2000;
   return s;
@@ -42,7 +42,7 @@ bool iterated(const Renderer& r, int which, std::uint64_t n) {
   return s.ready && !s.draft && s.pixelIterations >= n;
 }
 
-const BackendChoice onCpu{"cpu", -1, 0, false};
+const BackendChoice onCpu{BackendKind::cpu, -1, 0, false};
 
 struct Shown {
   int width = 0, height = 0;
@@ -71,15 +71,15 @@ bool equals(const Shown& shown, const Image& image) {
 TEST_CASE("in lock step the window shows what a render without a window gives, bit for bit") {
   auto const scene = asset("cornell-caustics");
   Renderer renderer(onCpu, true);
-  renderer.setSettings(estimateA, settingsOf("sppm"));
+  renderer.setSettings(estimateA, settingsOf(Mode::sppm));
   renderer.setScene(scene, scene->camera);
   for (int i = 1; i <= 4; ++i) {
     renderer.step(1);
     renderer.finishSteps();
     CHECK(renderer.status(estimateA).pixelIterations == std::uint64_t(i));
   }
-  CHECK(equals(shownBy(renderer, estimateA), testing::renderImage(*scene, settingsOf("sppm"), 4)));
-  Settings const path = settingsOf("path", 24);
+  CHECK(equals(shownBy(renderer, estimateA), testing::renderImage(*scene, settingsOf(Mode::sppm), 4)));
+  Settings const path = settingsOf(Mode::path, 24);
   renderer.setSettings(estimateA, path);
   renderer.step(2);
   renderer.finishSteps();
@@ -89,7 +89,7 @@ TEST_CASE("in lock step the window shows what a render without a window gives, b
 TEST_CASE("camera and settings start the film again, tone does not exist here") {
   auto const scene = asset("cornell");
   Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf("sppm"));
+  renderer.setSettings(estimateA, settingsOf(Mode::sppm));
   renderer.setScene(scene, scene->camera);
   REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 5); }));
   renderer.setCamera(scene->camera, renderer.sceneVersion());  // the same: nothing happens
@@ -101,19 +101,19 @@ TEST_CASE("camera and settings start the film again, tone does not exist here") 
   REQUIRE(waitFor([&] { return renderer.status(estimateA).camera == moved && iterated(renderer, estimateA, 2); }));
   renderer.setCamera(scene->camera, renderer.sceneVersion() + 1);  // of a scene that is not shown
   renderer.setPaused(true);
-  renderer.setSettings(estimateA, settingsOf("path"));
-  REQUIRE(waitFor([&] { return renderer.status(estimateA).stats.settings.mode == "path"; }));
+  renderer.setSettings(estimateA, settingsOf(Mode::path));
+  REQUIRE(waitFor([&] { return renderer.status(estimateA).stats.settings.mode == Mode::path; }));
   CHECK(renderer.status(estimateA).camera == moved);
 }
 
 TEST_CASE("a paused renderer shows an iteration after a change, and steps when told") {
   auto const scene = asset("cornell");
   Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf("path"));
+  renderer.setSettings(estimateA, settingsOf(Mode::path));
   renderer.setScene(scene, scene->camera);
   REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 2); }));
   renderer.setPaused(true);
-  Settings other = settingsOf("path");
+  Settings other = settingsOf(Mode::path);
   other.seed = 9;
   renderer.setSettings(estimateA, other);
   REQUIRE(
@@ -129,7 +129,7 @@ TEST_CASE("a paused renderer shows an iteration after a change, and steps when t
 TEST_CASE("a scene that cannot be rendered leaves the old one, and says why") {
   auto const scene = asset("cornell");
   Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf("path"));
+  renderer.setSettings(estimateA, settingsOf(Mode::path));
   renderer.setScene(scene, scene->camera);
   REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
   auto bad = std::make_shared<Scene>(*scene);
@@ -140,21 +140,21 @@ TEST_CASE("a scene that cannot be rendered leaves the old one, and says why") {
   std::uint64_t const n = renderer.status(estimateA).pixelIterations;
   CHECK(waitFor([&] { return iterated(renderer, estimateA, n + 1); }));
 
-  Settings wrong = settingsOf("path");
-  wrong.aov = "photon-count";  // path gathers none
+  Settings wrong = settingsOf(Mode::path);
+  wrong.aov = Aov::photonCount;  // path gathers none
   renderer.setSettings(estimateA, wrong);
   REQUIRE(waitFor([&] { return !renderer.status(estimateA).problem.empty(); }));
-  renderer.setSettings(estimateA, settingsOf("path"));
+  renderer.setSettings(estimateA, settingsOf(Mode::path));
   CHECK(waitFor([&] { return renderer.status(estimateA).problem.empty() && iterated(renderer, estimateA, 1); }));
 }
 
 TEST_CASE("two estimates share the machine's time, and errors against a reference fall") {
   auto const scene = asset("cornell");
   Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf("path"));
-  renderer.setSettings(estimateB, settingsOf("sppm"));
+  renderer.setSettings(estimateA, settingsOf(Mode::path));
+  renderer.setSettings(estimateB, settingsOf(Mode::sppm));
   renderer.setEnabled(estimateB, true);
-  Settings truth = settingsOf("path");
+  Settings truth = settingsOf(Mode::path);
   renderer.setReference(std::make_shared<const Image>(testing::renderImage(*scene, truth, 400)), "truth");
   renderer.setScene(scene, scene->camera);
   REQUIRE(waitFor([&] {
@@ -173,8 +173,8 @@ TEST_CASE("two estimates share the machine's time, and errors against a referenc
 TEST_CASE("a reference accumulates beside the estimate") {
   auto const scene = asset("cornell");
   Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf("sppm"));
-  renderer.setSettings(reference, settingsOf("path"));
+  renderer.setSettings(estimateA, settingsOf(Mode::sppm));
+  renderer.setSettings(reference, settingsOf(Mode::path));
   renderer.setScene(scene, scene->camera);
   renderer.setEnabled(reference, true);
   REQUIRE(waitFor([&] {
@@ -190,7 +190,7 @@ TEST_CASE("a reference accumulates beside the estimate") {
 TEST_CASE("photons come with the pixels when they are wanted") {
   auto const scene = asset("cornell-caustics");
   Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf("sppm"));
+  renderer.setSettings(estimateA, settingsOf(Mode::sppm));
   renderer.wantPhotons(500);
   renderer.setScene(scene, scene->camera);
   REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1) && renderer.status(estimateA).photonCount == 500; }));
@@ -204,7 +204,7 @@ TEST_CASE("photons come with the pixels when they are wanted") {
 TEST_CASE("dragging for long never stops the pictures, and ends at full size") {
   auto const scene = asset("cornell-caustics");
   Renderer renderer(onCpu);
-  Settings slow = testing::settingsFor("sppm", 400, 300);
+  Settings slow = testing::settingsFor(Mode::sppm, 400, 300);
   slow.photons = 100000;
   renderer.setSettings(estimateA, slow);
   renderer.setScene(scene, scene->camera);
@@ -224,12 +224,12 @@ TEST_CASE("dragging for long never stops the pictures, and ends at full size") {
 TEST_CASE("settings that do not fit leave an estimate that says so, and another change brings it back") {
   auto const scene = asset("cornell");
   Renderer renderer(onCpu);
-  Settings tight = settingsOf("sppm");
+  Settings tight = settingsOf(Mode::sppm);
   tight.photons = 200000;
   renderer.setSettings(estimateA, tight);
   renderer.setScene(scene, scene->camera);
   REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
-  tight.gather = "nearest";
+  tight.gather = GatherBy::nearest;
   tight.photonMemory = 1;  // all photons at once need more
   renderer.setSettings(estimateA, tight);
   REQUIRE(waitFor([&] { return !renderer.status(estimateA).problem.empty(); }));
@@ -242,18 +242,19 @@ TEST_CASE("settings that do not fit leave an estimate that says so, and another 
   renderer.setSettings(estimateA, tight);
   CHECK(waitFor([&] {
     EstimateStatus const s = renderer.status(estimateA);
-    return s.problem.empty() && s.stats.settings.gather == "nearest" && iterated(renderer, estimateA, 1);
+    return s.problem.empty() && s.stats.settings.gather == GatherBy::nearest && iterated(renderer, estimateA, 1);
   }));
 }
 
 TEST_CASE("refused settings leave the old ones, which follow the camera and can be reset") {
   auto const scene = asset("cornell");
   Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf("sppm"));
+  renderer.setSettings(estimateA, settingsOf(Mode::sppm));
   renderer.setScene(scene, scene->camera);
   REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
-  Settings wrong = settingsOf("sppm");
-  wrong.gather = "everything";
+  Settings wrong = settingsOf(Mode::sppm);
+  wrong.mode = Mode::path;
+  wrong.aov = Aov::photonCount;
   renderer.setSettings(estimateA, wrong);
   REQUIRE(waitFor([&] { return !renderer.status(estimateA).problem.empty(); }));
   CameraDesc moved = scene->camera;
@@ -268,16 +269,18 @@ TEST_CASE("refused settings leave the old ones, which follow the camera and can 
 TEST_CASE("while paused, a new mode, photons and a reference show without a step") {
   auto const scene = asset("cornell-caustics");
   Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf("path"));
+  renderer.setSettings(estimateA, settingsOf(Mode::path));
   renderer.setScene(scene, scene->camera);
   REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
   renderer.setPaused(true);
-  renderer.setSettings(estimateA, settingsOf("sppm"));
-  REQUIRE(waitFor(
-      [&] { return renderer.status(estimateA).stats.settings.mode == "sppm" && iterated(renderer, estimateA, 1); }));
+  renderer.setSettings(estimateA, settingsOf(Mode::sppm));
+  REQUIRE(waitFor([&] {
+    return renderer.status(estimateA).stats.settings.mode == Mode::sppm && iterated(renderer, estimateA, 1);
+  }));
   renderer.wantPhotons(100);
   CHECK(waitFor([&] { return renderer.status(estimateA).photonCount == 100; }));
-  renderer.setReference(std::make_shared<const Image>(testing::renderImage(*scene, settingsOf("path"), 20)), "truth");
+  renderer.setReference(std::make_shared<const Image>(testing::renderImage(*scene, settingsOf(Mode::path), 20)),
+                        "truth");
   CHECK(waitFor([&] { return renderer.status(estimateA).errors.size() == 1; }));
   renderer.clearReference();
   CHECK(waitFor([&] { return renderer.status(estimateA).errors.empty(); }));
@@ -286,9 +289,9 @@ TEST_CASE("while paused, a new mode, photons and a reference show without a step
 TEST_CASE("an estimate that cannot be had does not keep a scene from opening") {
   auto const scene = asset("cornell");
   Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf("path"));
-  Settings wrong = settingsOf("path");
-  wrong.aov = "photon-count";
+  renderer.setSettings(estimateA, settingsOf(Mode::path));
+  Settings wrong = settingsOf(Mode::path);
+  wrong.aov = Aov::photonCount;
   renderer.setSettings(estimateB, wrong);
   renderer.setEnabled(estimateB, true);
   renderer.setScene(scene, scene->camera);
@@ -298,7 +301,7 @@ TEST_CASE("an estimate that cannot be had does not keep a scene from opening") {
 }
 
 TEST_CASE("a draft costs less by the square of its scale, and keeps what it can of a small film") {
-  Settings s = testing::settingsFor("sppm", 640, 480);
+  Settings s = testing::settingsFor(Mode::sppm, 640, 480);
   s.photons = 1 << 18;
   Settings const draft = draftOf(s, {512, 512}, 4, 0.01);
   CHECK(draft.width == 160);

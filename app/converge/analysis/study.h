@@ -66,7 +66,7 @@ struct StudyReference {
   double noise = unknown;     ///< relMSE of its own noise, by the study's ε; unknown of a file that does not say
   double variance = unknown;  ///< the same as a mean square, squared radiance
   double epsilon = 0;         ///< ε of relMSE that all figures of the scene use, squared radiance
-  std::string mode;           ///< that made it; empty where a file does not say
+  std::optional<Mode> mode;   ///< that made it; empty where a file does not say
   Stats stats;                ///< of a made one
 };
 

@@ -27,7 +27,7 @@ double channelMean(const std::vector<Vec3d>& pixels) {
 /// paths are too rare to find.
 std::string biasWarning(const StudyMode& mode) {
   bool const known = mode.split.referenceVariance >= 0;
-  if (mode.settings.mode != "path" || !known || !(mode.split.bias2 > doubtfulBias * mode.split.mse)) return "";
+  if (mode.settings.mode != Mode::path || !known || !(mode.split.bias2 > doubtfulBias * mode.split.mse)) return "";
   return fmt::format(
       "{:.0f}% of this mode's mean square error is bias, which path tracing has none of: the reference "
       "is biased itself, or paths hardly find the light",
@@ -51,7 +51,7 @@ std::string warningsOf(const StudyMode& mode, const StudyReference& reference, b
     if (text.empty() && !run.samples.empty())
       add(noiseWarning(reference, run.samples.back().metrics, errorOf(run.samples.back().metrics, trimmed)));
   add(biasWarning(mode));
-  if (mode.settings.mode == "sppm" && reference.mode == "sppm")
+  if (mode.settings.mode == Mode::sppm && reference.mode == Mode::sppm)
     add("the reference is by sppm too and shares a part of this mode's bias, which the error leaves out");
   return text;
 }

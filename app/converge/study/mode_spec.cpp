@@ -27,12 +27,13 @@ void assign(Settings& settings, const std::string& part, const std::string& labe
 
 ModeSpec parseMode(const std::string& label, const Settings& base) {
   std::vector<std::string> const parts = splitText(label, ':');
-  std::vector<std::string> const known = modeNames();
-  if (std::find(known.begin(), known.end(), parts[0]) == known.end())
+  std::vector<std::string> const known = namesOf<Mode>();
+  std::optional<Mode> const mode = findChoice<Mode>(parts[0]);
+  if (!mode)
     throw Error(fmt::format("--modes: '{}' is none of {}{}", parts[0], joinNames(known), suggestion(parts[0], known)),
                 ExitCode::usage);
   ModeSpec spec{label, base};
-  spec.settings.mode = parts[0];
+  spec.settings.mode = *mode;
   for (std::size_t i = 1; i < parts.size(); ++i) assign(spec.settings, parts[i], label);
   return spec;
 }

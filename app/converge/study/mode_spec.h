@@ -13,7 +13,7 @@ struct ModeSpec {
   Settings settings;
 };
 
-/// Reads "path,sppm,sppm:alpha=0.5:photons=65536": comma-separated modes, each a name of modeNames() and settings after
+/// Reads "path,sppm,sppm:alpha=0.5:photons=65536": comma-separated modes, each the name of a Mode and settings after
 /// colons, over those of `base`. gather=knn stands for gather=nearest; seed is that of the mode's first run. Throws
 /// Error (usage) for an unknown mode or key, a value out of range, an empty or repeated entry.
 std::vector<ModeSpec> parseModes(const std::string& text, const Settings& base);

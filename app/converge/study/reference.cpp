@@ -78,7 +78,7 @@ StudyReference makeBy(const std::string& mode, const ReferenceOptions& options, 
   Settings settings = specs[0].settings;
   settings.seed ^= seedStep;
   auto const integrator = makeIntegrator(shop.scene, settings, shop.backend, nullptr, shop.cache);
-  if (settings.mode == "sppm" && settings.radius == 0) {
+  if (settings.mode == Mode::sppm && settings.radius == 0) {
     settings.radius = referenceRadius * integrator->stats().settings.radius;
     integrator->restart(shop.scene.camera, settings);
   }

@@ -53,7 +53,7 @@ void requireMetadata(const std::string& file, const Metadata& metadata, const Sc
   settings.params([&](const std::string& name, const auto& value, const ParamInfo&) {
     bool const matters = name == "aov" || name == "max-depth" || name == "indirect-only";
     auto const found = matters ? find(metadata, name) : std::nullopt;
-    std::string const wanted = fmt::format("{}", value);
+    std::string const wanted = fmt::format("{}", written(value));
     if (found && *found != wanted)
       throw Error(fmt::format("{}: it was rendered with {} {}, and the runs have {}; give --{} {} or another reference",
                               file, name, *found, wanted, name, *found));
@@ -104,7 +104,7 @@ StudyReference readReference(const ReferenceOptions& options, const Scene& scene
   reference.epsilon = relativeEpsilon(reference.image, options.epsilon);
   reference.noise = options.noise.value_or(numberOf(metadata, "reference-noise"));
   reference.variance = numberOf(metadata, "reference-variance");
-  reference.mode = find(metadata, "mode").value_or("");
+  reference.mode = findChoice<Mode>(find(metadata, "mode").value_or(""));
   return reference;
 }
 

@@ -17,7 +17,7 @@ using Contestants = std::vector<std::unique_ptr<Contestant>>;
 Image glimpse(const Scene& scene, const Settings& base, const RunnerOptions& options,
               std::shared_ptr<SceneCache> cache) {
   Settings settings = base;
-  settings.mode = "sppm";
+  settings.mode = Mode::sppm;
   settings.photons = std::max<std::uint64_t>(settings.photons, Settings{}.photons);
   auto const integrator = makeIntegrator(scene, settings, options.backend, nullptr, std::move(cache));
   integrator->advance(4);
@@ -81,10 +81,10 @@ StudyReference referenceOf(const Scene& scene, const Settings& base, const Setti
   return reference;
 }
 
-Image firstHits(const char* what, const Scene& scene, const Settings& base, const RunnerOptions& options,
+Image firstHits(Aov what, const Scene& scene, const Settings& base, const RunnerOptions& options,
                 const std::shared_ptr<SceneCache>& cache) {
   Settings settings = base;
-  settings.mode = "sppm";
+  settings.mode = Mode::sppm;
   settings.aov = what;
   auto const integrator = makeIntegrator(scene, settings, options.backend, nullptr, cache);
   integrator->advance(1);
@@ -94,10 +94,10 @@ Image firstHits(const char* what, const Scene& scene, const Settings& base, cons
 void findEdgeShares(StudyScene& study, const Scene& scene, const Settings& base, const RunnerOptions& options,
                     const std::shared_ptr<SceneCache>& cache) {
   for (const StudyMode& mode : study.modes)
-    if (mode.settings.mode == "sppm") study.edgeRadius = std::max(study.edgeRadius, mode.settings.radius);
+    if (mode.settings.mode == Mode::sppm) study.edgeRadius = std::max(study.edgeRadius, mode.settings.radius);
   if (study.edgeRadius == 0) return;
   std::vector<bool> const mask =
-      nearEdges(firstHits("normal", scene, base, options, cache), firstHits("depth", scene, base, options, cache),
+      nearEdges(firstHits(Aov::normal, scene, base, options, cache), firstHits(Aov::depth, scene, base, options, cache),
                 scene.camera, study.edgeRadius);
   for (StudyMode& mode : study.modes)
     if (!mode.picture.pixels.empty()) mode.pictureEdges = edgeShare(mode.picture, study.reference, mask);

@@ -14,11 +14,11 @@ namespace ropelight::view {
 namespace {
 
 void drawLayout(CompareSettings& compare) {
-  editChoice("compare", "layout", compare.layout,
-             {.doc = "how the two share the picture (V)", .choices = "single|split|side-by-side|flicker|difference"});
+  editParam("compare", "layout", compare.layout,
+            {.doc = "how the two share the picture (V)", .choices = choiceNames<Layout>});
+  static constexpr const char* others[] = {"B", "reference"};
   int against = compare.withReference ? 1 : 0;
-  if (editChoice("compare", "against", against,
-                 {.doc = "what A is compared with in the picture", .choices = "B|reference"}))
+  if (editChoice("compare", "against", against, {.doc = "what A is compared with in the picture", .choices = others}))
     compare.withReference = against == 1;
   if (compare.layout == Layout::split)
     editParam("compare", "split", compare.split, {.doc = "share of the picture that A has ([, ])", .min = 0, .max = 1});

@@ -109,9 +109,8 @@ void drawTreeOverlay(PanelContext& context) {
 
 void drawTone(PanelContext& context) {
   ToneSettings& tone = context.state.tone;
-  editChoice("tone", "curve", tone.curve,
-             {.doc = "from radiance to the screen; the film stays as it is (T)",
-              .choices = "linear|reinhard|aces|false-colour"});
+  editParam("tone", "curve", tone.curve,
+            {.doc = "from radiance to the screen; the film stays as it is (T)", .choices = choiceNames<Curve>});
   editParam("tone", "exposure", tone.exposure,
             {.doc = "radiance is multiplied by 2 to this power (+, -)",
              .min = -100,

@@ -105,7 +105,7 @@ void drawLegend(const Plot& plot, const std::array<Curve, 2>& curves, const Pane
   float y = plot.low.y + line * 0.5f;
   for (std::size_t i = 0; i < 2; ++i) {
     if (curves[i].points.empty()) continue;
-    std::string text = fmt::format("{}: {}", curveNames[i], context.state.settings[i].mode);
+    std::string text = fmt::format("{}: {}", curveNames[i], nameOf(context.state.settings[i].mode));
     if (curves[i].law) text += fmt::format(", slope {:.2f}", curves[i].law->exponent);
     float const left = plot.high.x - ImGui::CalcTextSize(text.c_str()).x - line * 0.6f;
     list->AddLine({left - line * 1.6f, y + line / 2}, {left - line * 0.4f, y + line / 2}, curveColours[i],

@@ -49,7 +49,7 @@ void drawRunButtons(PanelContext& context) {
 
 std::string progress(const EstimateStatus& status, const Settings& settings) {
   if (!status.ready) return status.building ? "building..." : "not ready";
-  return fmt::format("{}: {} iterations, {:.1f} s, {:.3g} it/s", settings.mode, status.stats.iterations,
+  return fmt::format("{}: {} iterations, {:.1f} s, {:.3g} it/s", nameOf(settings.mode), status.stats.iterations,
                      status.stats.seconds, iterationRate(status.stats));
 }
 

@@ -41,7 +41,7 @@ void drawSettings(PanelContext& context) {
   const EstimateStatus& status = context.estimates[std::size_t(state.edited)];
   std::string const prefix = state.edited == estimateA ? "A" : "B";
   Settings resolved = status.ready ? status.stats.settings : Settings{};
-  std::string const aov = settings.aov;
+  Aov const aov = settings.aov;
 
   drawState(status);
   for (const std::string& group : paramGroups(settings)) {

@@ -21,7 +21,7 @@ constexpr std::size_t mostRecent = 32, mostViews = 256;
 
 template <class V>
 void tone(V& v, ToneSettings& t) {
-  v.choice("curve", t.curve, {"linear", "reinhard", "aces", "falseColour"});
+  v.choice("curve", t.curve);
   v("exposure", t.exposure, -100, 100);
   v("falseLow", t.falseLow, -1e30, 1e30);
   v("falseHigh", t.falseHigh, -1e30, 1e30);
@@ -32,7 +32,7 @@ void tone(V& v, ToneSettings& t) {
 /// What costs machine time (B, an accumulated reference) must be asked for again in every run.
 template <class V>
 void compare(V& v, CompareSettings& c) {
-  v.choice("layout", c.layout, {"single", "split", "sideBySide", "flicker", "difference"});
+  v.choice("layout", c.layout);
   v("split", c.split, 0, 1);
   v("gain", c.gain, 0, 1e9);
   v("flickerHz", c.flickerHz, 0.01, 100);

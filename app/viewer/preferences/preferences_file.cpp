@@ -3,8 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace ropelight::view {
+
+std::string inCamelCase(const std::string& name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    bool const begins = i > 0 && name[i - 1] == '-';
+    if (name[i] != '-') text += begins ? char(std::toupper(static_cast<unsigned char>(name[i]))) : name[i];
+  }
+  return text;
+}
 
 void addProblem(std::string& problems, const std::string& problem) {
   problems += (problems.empty() ? "" : "\n") + problem;

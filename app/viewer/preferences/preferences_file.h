@@ -4,17 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "app/viewer/camera/camera_control.h"
+#include "render/choices/choice.h"
 #include "render/core/error.h"
 #include "render/import/json/json_node.h"
 
 namespace ropelight::view {
+
+/// As preferences spell names: side-by-side becomes sideBySide.
+std::string inCamelCase(const std::string& name);
 
 /// Appends a line.
 void addProblem(std::string& problems, const std::string& problem);
@@ -42,9 +45,11 @@ class PreferencesReader {
     });
   }
 
-  template <class Enum>
-  void choice(const char* key, Enum& value, std::initializer_list<std::string> names) {
-    read(key, [&](const JsonNode& node) { value = Enum(node.choice(key, names)); });
+  template <ChoiceEnum E>
+  void choice(const char* key, E& value) {
+    std::vector<std::string> names;
+    for (const char* name : choiceNames<E>) names.push_back(inCamelCase(name));
+    read(key, [&](const JsonNode& node) { value = E(node.choice(key, names)); });
   }
 
   template <class List>
@@ -91,9 +96,9 @@ class PreferencesWriter {
       json_[key] = std::clamp(shortest(value), min, max);
   }
 
-  template <class Enum>
-  void choice(const char* key, Enum& value, std::initializer_list<std::string> names) {
-    if (std::size_t(value) < names.size()) json_[key] = names.begin()[std::size_t(value)];
+  template <ChoiceEnum E>
+  void choice(const char* key, E& value) {
+    if (std::size_t(value) < choiceNames<E>.size()) json_[key] = inCamelCase(nameOf(value));
   }
 
   template <class List>

@@ -21,15 +21,25 @@ ToneSettings scaled(ToneSettings tone, double low, double high, bool logarithmic
 }
 
 // Starting scales; 'automatic range' fits them to the film.
-ToneSettings toneOf(const std::string& aov, ToneSettings tone, const ViewScale& scale) {
+ToneSettings toneOf(Aov aov, ToneSettings tone, const ViewScale& scale) {
   tone.exposure = 0;
   tone.curve = Curve::linear;
   double const radius = scale.firstRadius > 0 ? scale.firstRadius : scale.distance / 100;
-  if (aov == "depth") return scaled(tone, 0, 2 * scale.distance, false);
-  if (aov == "traversal") return scaled(tone, 0, 64, false);
-  if (aov == "tests") return scaled(tone, 0, 64, false);
-  if (aov == "photon-count") return scaled(tone, 1, 1000, true);
-  if (aov == "gather-radius") return scaled(tone, radius / 10, radius * 2, true);
+  switch (aov) {
+    case Aov::depth:
+      return scaled(tone, 0, 2 * scale.distance, false);
+    case Aov::traversal:
+    case Aov::tests:
+      return scaled(tone, 0, 64, false);
+    case Aov::photonCount:
+      return scaled(tone, 1, 1000, true);
+    case Aov::gatherRadius:
+      return scaled(tone, radius / 10, radius * 2, true);
+    case Aov::radiance:
+    case Aov::normal:
+    case Aov::albedo:
+      break;
+  }
   return tone;
 }
 
@@ -45,19 +55,19 @@ void setPhotonView(ViewState& state, ViewMemory& memory, bool on) {
 }
 
 bool shows(const Preset& preset, const Settings& settings, bool photonView) {
-  if (settings.aov != preset.aov || (*preset.mode && settings.mode != preset.mode)) return false;
-  if (settings.aov != "radiance") return true;
+  if (settings.aov != preset.aov || (preset.mode && settings.mode != *preset.mode)) return false;
+  if (settings.aov != Aov::radiance) return true;
   if (settings.indirectOnly != preset.indirectOnly) return false;
-  return settings.mode != "sppm" || (settings.direct == preset.direct && photonView == preset.photons);
+  return settings.mode != Mode::sppm || (settings.direct == preset.direct && photonView == preset.photons);
 }
 
 }  // namespace
 
-void adaptTone(ViewState& state, ViewMemory& memory, const std::string& before, const ViewScale& scale) {
-  std::string const& now = edited(state).aov;
+void adaptTone(ViewState& state, ViewMemory& memory, Aov before, const ViewScale& scale) {
+  Aov const now = edited(state).aov;
   if (now == before) return;
-  if (before == "radiance") memory.tone = state.tone;
-  if (now != "radiance") {
+  if (before == Aov::radiance) memory.tone = state.tone;
+  if (now != Aov::radiance) {
     state.tone = toneOf(now, state.tone, scale);
   } else if (memory.tone) {
     state.tone = *memory.tone;
@@ -68,10 +78,10 @@ void adaptTone(ViewState& state, ViewMemory& memory, const std::string& before, 
 
 void applyPreset(ViewState& state, ViewMemory& memory, const Preset& preset, const ViewScale& scale) {
   Settings& settings = edited(state);
-  std::string const before = settings.aov;
-  if (*preset.mode) settings.mode = preset.mode;
+  Aov const before = settings.aov;
+  if (preset.mode) settings.mode = *preset.mode;
   settings.aov = preset.aov;
-  if (settings.mode == "sppm") settings.direct = preset.direct;
+  if (settings.mode == Mode::sppm) settings.direct = preset.direct;
   settings.indirectOnly = preset.indirectOnly;
   setPhotonView(state, memory, preset.photons);
   adaptTone(state, memory, before, scale);

@@ -3,7 +3,6 @@
 // and a tone curve that makes its numbers visible. Plain data, no window.
 
 #include <optional>
-#include <string>
 
 #include "app/viewer/state/view_state.h"
 
@@ -12,29 +11,32 @@ namespace ropelight::view {
 struct Preset {
   const char* name;
   const char* doc;
-  const char* mode;  ///< empty: as it is
-  const char* aov = "radiance";
-  const char* direct = "shadow";
+  std::optional<Mode> mode;  ///< empty: as it is
+  Aov aov = Aov::radiance;
+  DirectLight direct = DirectLight::shadow;
   bool indirectOnly = false;
   bool photons = false;  ///< shown as points over a dimmed picture
 };
 
 inline constexpr Preset presets[] = {
-    {.name = "ray", .doc = "direct light and perfect reflection alone", .mode = "ray"},
-    {.name = "path", .doc = "path tracing", .mode = "path"},
-    {.name = "sppm", .doc = "photon mapping: direct light by shadow rays, indirect by photons", .mode = "sppm"},
-    {.name = "indirect only", .doc = "what the photons alone bring", .mode = "sppm", .indirectOnly = true},
-    {.name = "direct by photons", .doc = "photons carry the direct light too", .mode = "sppm", .direct = "photons"},
-    {.name = "photons", .doc = "the stored photons as points", .mode = "sppm", .photons = true},
+    {.name = "ray", .doc = "direct light and perfect reflection alone", .mode = Mode::ray},
+    {.name = "path", .doc = "path tracing", .mode = Mode::path},
+    {.name = "sppm", .doc = "photon mapping: direct light by shadow rays, indirect by photons", .mode = Mode::sppm},
+    {.name = "indirect only", .doc = "what the photons alone bring", .mode = Mode::sppm, .indirectOnly = true},
+    {.name = "direct by photons",
+     .doc = "photons carry the direct light too",
+     .mode = Mode::sppm,
+     .direct = DirectLight::photons},
+    {.name = "photons", .doc = "the stored photons as points", .mode = Mode::sppm, .photons = true},
     {.name = "traversal heat",
      .doc = "what a camera ray costs: cells visited and primitives tested",
-     .mode = "",
-     .aov = "traversal"},
-    {.name = "gather count", .doc = "photons that a gather finds", .mode = "sppm", .aov = "photon-count"},
-    {.name = "gather radius", .doc = "radius of the gather", .mode = "sppm", .aov = "gather-radius"},
-    {.name = "normals", .doc = "of the first hit", .mode = "", .aov = "normal"},
-    {.name = "depth", .doc = "distance to the first hit", .mode = "", .aov = "depth"},
-    {.name = "albedo", .doc = "of the first hit", .mode = "", .aov = "albedo"},
+     .mode = {},
+     .aov = Aov::traversal},
+    {.name = "gather count", .doc = "photons that a gather finds", .mode = Mode::sppm, .aov = Aov::photonCount},
+    {.name = "gather radius", .doc = "radius of the gather", .mode = Mode::sppm, .aov = Aov::gatherRadius},
+    {.name = "normals", .doc = "of the first hit", .mode = {}, .aov = Aov::normal},
+    {.name = "depth", .doc = "distance to the first hit", .mode = {}, .aov = Aov::depth},
+    {.name = "albedo", .doc = "of the first hit", .mode = {}, .aov = Aov::albedo},
 };
 
 /// Lengths from which the scale of a scalar view is set at first.
@@ -52,7 +54,7 @@ struct ViewMemory {
 void applyPreset(ViewState& state, ViewMemory& memory, const Preset& preset, const ViewScale& scale);
 
 /// Gives the film of the edited estimate a tone that suits it, after its aov was `before`; radiance gets its own back.
-void adaptTone(ViewState& state, ViewMemory& memory, const std::string& before, const ViewScale& scale);
+void adaptTone(ViewState& state, ViewMemory& memory, Aov before, const ViewScale& scale);
 
 /// The preset that the edited estimate shows; null where it is none of them.
 const Preset* currentPreset(const ViewState& state);

@@ -15,16 +15,6 @@
 namespace ropelight::view {
 namespace {
 
-std::vector<std::string> split(const std::string& choices) {
-  std::vector<std::string> names(1);
-  for (char const c : choices)
-    if (c == '|')
-      names.emplace_back();
-    else
-      names.back() += c;
-  return names;
-}
-
 /// Reads the values that are there; the others keep their defaults.
 class SettingsReader {
  public:
@@ -36,10 +26,9 @@ class SettingsReader {
   }
 
  private:
-  static void read(const JsonNode& node, const nlohmann::json&, std::string& value, const ParamInfo& info) {
-    if (!*info.choices) return void(value = node.string());
-    std::vector<std::string> const names = split(info.choices);
-    value = names[node.choice(node.pointer().substr(1), names)];
+  template <ChoiceEnum E>
+  static void read(const JsonNode& node, const nlohmann::json&, E& value, const ParamInfo&) {
+    value = E(node.choice(node.pointer().substr(1), namesOf<E>()));
   }
   static void read(const JsonNode& node, const nlohmann::json&, bool& value, const ParamInfo&) {
     value = node.boolean();
@@ -70,7 +59,7 @@ class SettingsReader {
 void saveSettings(const std::filesystem::path& file, const Settings& settings) {
   nlohmann::ordered_json json;
   Settings copy = settings;
-  copy.params([&](const char* name, const auto& value, const ParamInfo&) { json[name] = value; });
+  copy.params([&](const char* name, const auto& value, const ParamInfo&) { json[name] = written(value); });
   writeFile(file, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 

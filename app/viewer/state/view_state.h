@@ -6,15 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "app/viewer/state/view_choices.h"
 #include "render/settings/settings.h"
 
 namespace ropelight::view {
 
 /// Estimates by index.
 inline constexpr int estimateA = 0, estimateB = 1, reference = 2;
-
-enum class Curve { linear, reinhard, aces, falseColour };
-enum class Layout { single, split, sideBySide, flicker, difference };
 
 struct ToneSettings {
   Curve curve = Curve::linear;

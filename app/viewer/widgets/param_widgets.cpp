@@ -127,16 +127,15 @@ bool editNumber(const std::string& prefix, const char* name, T& value, const Par
 }
 
 bool comboOf(const std::string& mark, const ParamInfo& info, const std::string& preview, int& index) {
-  std::vector<std::string> const choices = splitChoices(info.choices);
   bool changed = false;
   ImGui::SetNextItemWidth(-1);
   bool const open = ImGui::BeginCombo("##combo", preview.c_str());
   markWidget(mark);
   paramTip(info);
   if (!open) return false;
-  for (int i = 0; i < int(choices.size()); ++i) {
-    const std::string& choice = choices[std::size_t(i)];
-    if (ImGui::Selectable(choice.c_str(), i == index)) {
+  for (int i = 0; i < int(info.choices.size()); ++i) {
+    const char* const choice = info.choices[std::size_t(i)];
+    if (ImGui::Selectable(choice, i == index)) {
       changed = i != index;
       index = i;
     }
@@ -171,13 +170,6 @@ void labelColumn(const char* name, const ParamInfo& info) {
 
 }  // namespace
 
-std::vector<std::string> splitChoices(const char* choices) {
-  std::vector<std::string> parts;
-  std::istringstream stream(choices);
-  for (std::string part; std::getline(stream, part, '|');) parts.push_back(part);
-  return parts;
-}
-
 void paramTip(const ParamInfo& info) {
   if (ImGui::IsItemActive() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   std::string const limits = limitsText(info);
@@ -186,7 +178,7 @@ void paramTip(const ParamInfo& info) {
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * tipWidth);
   if (*info.doc) ImGui::TextUnformatted(info.doc);
   if (!limits.empty()) ImGui::TextDisabled("%s", limits.c_str());
-  if (!limits.empty() && !*info.choices) ImGui::TextDisabled("Ctrl+click to type a number");
+  if (!limits.empty() && info.choices.empty()) ImGui::TextDisabled("Ctrl+click to type a number");
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -219,28 +211,6 @@ void valueRow(const char* name, const std::string& text, const char* doc) {
   wrappedText(text);
 }
 
-bool editParam(const std::string& prefix, const char* name, std::string& value, const ParamInfo& info,
-               const std::string& resolved) {
-  std::string const mark = markOf(prefix, name);
-  ImGui::PushID(mark.c_str());
-  rowLabel(name, info);
-  bool changed = false;
-  if (*info.choices) {
-    std::vector<std::string> const choices = splitChoices(info.choices);
-    int index = int(std::find(choices.begin(), choices.end(), value) - choices.begin());
-    bool const told = value == "auto" && !resolved.empty() && resolved != value;
-    changed = comboOf(mark, info, told ? fmt::format("auto: {}", resolved) : value, index);
-    if (changed) value = choices[std::size_t(index)];
-  } else {
-    ImGui::SetNextItemWidth(-1);
-    changed = ImGui::InputText("##text", &value);
-    markWidget(mark);
-    paramTip(info);
-  }
-  ImGui::PopID();
-  return changed;
-}
-
 bool editParam(const std::string& prefix, const char* name, bool& value, const ParamInfo& info, bool) {
   std::string const mark = markOf(prefix, name);
   ImGui::PushID(mark.c_str());
@@ -266,13 +236,14 @@ bool editParam(const std::string& prefix, const char* name, double& value, const
   return editNumber(prefix, name, value, info, resolved);
 }
 
-bool editChoice(const std::string& prefix, const char* name, int& index, const ParamInfo& info) {
-  std::vector<std::string> const choices = splitChoices(info.choices);
+bool editChoice(const std::string& prefix, const char* name, int& index, const ParamInfo& info, int resolved) {
+  auto const nameAt = [&](int i) { return i >= 0 && i < int(info.choices.size()) ? info.choices[std::size_t(i)] : ""; };
   std::string const mark = markOf(prefix, name);
   ImGui::PushID(mark.c_str());
   rowLabel(name, info);
-  std::string const preview = index >= 0 && index < int(choices.size()) ? choices[std::size_t(index)] : "";
-  bool const changed = comboOf(mark, info, preview, index);
+  bool const told = *info.zero && index == 0 && resolved != 0;
+  bool const changed =
+      comboOf(mark, info, told ? fmt::format("{}: {}", info.zero, nameAt(resolved)) : nameAt(index), index);
   ImGui::PopID();
   return changed;
 }

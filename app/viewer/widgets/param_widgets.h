@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "render/choices/choice.h"
 #include "render/core/params.h"
 
 namespace ropelight::view {
@@ -21,8 +22,6 @@ void valueRow(const char* name, const std::string& text, const char* doc = "");
 void paramTip(const ParamInfo& info);
 
 /// Each draws a row and returns true where the value changed. `resolved` is what an automatic value came to.
-bool editParam(const std::string& prefix, const char* name, std::string& value, const ParamInfo& info,
-               const std::string& resolved = {});
 bool editParam(const std::string& prefix, const char* name, bool& value, const ParamInfo& info, bool resolved = false);
 bool editParam(const std::string& prefix, const char* name, int& value, const ParamInfo& info, int resolved = 0);
 bool editParam(const std::string& prefix, const char* name, std::uint64_t& value, const ParamInfo& info,
@@ -30,19 +29,16 @@ bool editParam(const std::string& prefix, const char* name, std::uint64_t& value
 bool editParam(const std::string& prefix, const char* name, float& value, const ParamInfo& info, float resolved = 0);
 bool editParam(const std::string& prefix, const char* name, double& value, const ParamInfo& info, double resolved = 0);
 
-/// A combo of info.choices whose entries are the enumerators in order.
-bool editChoice(const std::string& prefix, const char* name, int& index, const ParamInfo& info);
-template <class E>
-requires std::is_enum_v<E>
-bool editChoice(const std::string& prefix, const char* name, E& value, const ParamInfo& info) {
+/// A combo of info.choices whose entries are the enumerators in order. Where the first stands for an automatic value
+/// (info.zero), `resolved` is what it came to.
+bool editChoice(const std::string& prefix, const char* name, int& index, const ParamInfo& info, int resolved = 0);
+template <ChoiceEnum E>
+bool editParam(const std::string& prefix, const char* name, E& value, const ParamInfo& info, E resolved = {}) {
   int index = int(value);
-  bool const changed = editChoice(prefix, name, index, info);
+  bool const changed = editChoice(prefix, name, index, info, int(resolved));
   if (changed) value = E(index);
   return changed;
 }
-
-/// The values between the separators '|'.
-std::vector<std::string> splitChoices(const char* choices);
 
 /// The groups of a list in order of first appearance.
 template <class P>
