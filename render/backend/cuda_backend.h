@@ -36,10 +36,10 @@ __device__ inline void addToTotals(TallyTotals* totals, const Tally& t) {
 }
 
 inline constexpr int stageThreads = 128;  ///< of a block
-inline constexpr int stageBlocks = 4;     ///< that a multiprocessor holds at once, so that a stage has 128 registers
 
-template <class Stage>
-__global__ void __launch_bounds__(stageThreads, stageBlocks)
+/// Runs a stage. blocks: that a multiprocessor must hold at once, which bounds the registers.
+template <class Stage, int blocks>
+__global__ void __launch_bounds__(stageThreads, blocks)
     runStage(std::uint32_t n, const __grid_constant__ Stage stage, TallyTotals* totals) {
   std::uint32_t const i = blockIdx.x * blockDim.x + threadIdx.x;
   Tally tally;
@@ -172,7 +172,7 @@ class Backend {
   }
 
   /// Calls stage(i, tally) for i in [0, n), in no order. blocks: see runStage.
-  template <int blocks = 0, class Stage>
+  template <int blocks = 1, class Stage>
   void forEach(std::uint32_t n, const Stage& stage) {
     if (n == 0 || interrupted()) return;
     ledger_.launched(Stage::name);
