@@ -20,12 +20,6 @@ struct Light {
   Real pick = 0;
 };
 
-/// A bin of the alias table by which lights are picked (render/light/alias_table.h).
-struct AliasBin {
-  Real keep = 1;            ///< share of the bin that is its own
-  std::uint32_t other = 0;  ///< what the rest of it stands for
-};
-
 struct SceneView {
   Span<const Quad> quads;
   Span<const Sphere> spheres;
@@ -37,9 +31,10 @@ struct SceneView {
   Span<const Layer> layers;            ///< by primitive; empty where no surfaces coincide
   Span<const Material> materials;
   Span<const Light> lights;
-  Span<const AliasBin> lightBins;    ///< as many as lights
-  Real power = 0;                    ///< of all lights: mean over the channels, watts
-  std::uint32_t primitiveCount = 0;  ///< instances included; hits on their triangles have higher numbers
+  Span<const Real> lightCdf;             ///< inclusive sums of Light::pick
+  Span<const std::uint32_t> lightGuide;  ///< by which they are searched (render/light/guide_table.h)
+  Real power = 0;                        ///< of all lights: mean over the channels, watts
+  std::uint32_t primitiveCount = 0;      ///< instances included; hits on their triangles have higher numbers
   KdTreeView tree;
   bool shortStack = false;  ///< how the tree is traversed
   BvhView<bvhWidth> bvh;

@@ -2,15 +2,23 @@
 // The questions that integrators ask of a scene's lights: where does a photon start, what light reaches this point,
 // what does a ray bring that leaves the scene. Lights are picked in proportion to their power.
 
-#include "render/light/alias_table.h"
 #include "render/light/emitters.h"
+#include "render/light/guide_table.h"
 
 namespace ropelight::RL_TARGET {
+
+/// Index of the light whose share of [0, 1) holds u; u is rescaled to [0, 1) within the share.
+RL_HD inline std::uint32_t pickLight(const SceneView& scene, Real& u) {
+  std::uint32_t const k = findByGuide(scene.lightCdf, scene.lightGuide, u);
+  Real const before = k > 0 ? scene.lightCdf[k - 1] : Real(0);
+  u = minOf(maxOf((u - before) / scene.lights[k].pick, Real(0)), 1 - machineEpsilon);
+  return k;
+}
 
 template <FeatureBits F>
 RL_HD inline Emitted emitPhoton(const SceneView& scene, Real uLight, Vec2 uPoint, Vec2 uDirection, Real paths) {
   Emitted e;
-  const Light& light = scene.lights[pickByAlias(scene.lightBins, uLight)];
+  const Light& light = scene.lights[pickLight(scene, uLight)];
   visitEmitter<F>(light, [&](auto kind) { kind.emit(scene, light, EmissionSample{uLight, uPoint, uDirection}, e); });
   e.flux = light.radiance * float(scene.power / (paths * Real(mean(light.radiance))));
   return e;
@@ -19,7 +27,7 @@ RL_HD inline Emitted emitPhoton(const SceneView& scene, Real uLight, Vec2 uPoint
 template <FeatureBits F>
 RL_HD inline DirectSample sampleLight(const SceneView& scene, const Surface& from, Real uLight, Vec2 u) {
   DirectSample s;
-  std::uint32_t const index = pickByAlias(scene.lightBins, uLight);
+  std::uint32_t const index = pickLight(scene, uLight);
   const Light& light = scene.lights[index];
   visitEmitter<F>(light, [&](auto kind) { kind.template sampleToward<F>(scene, light, from, u, s); });
   s.pdf *= light.pick;

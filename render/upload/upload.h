@@ -82,17 +82,20 @@ class DeviceScene {
 
   void uploadLights(const FlatScene& flat) {
     if (flat.lights.empty()) return;
-    std::vector<double> powers;
-    double total = 0;
-    for (const FlatLight& l : flat.lights) {
-      powers.push_back(l.power);
-      total += l.power;
-    }
+    double total = 0, sum = 0;
+    for (const FlatLight& l : flat.lights) total += l.power;
     std::vector<Light> lights;
-    for (const FlatLight& l : flat.lights) lights.push_back(toTarget(flat, l, total));
+    std::vector<Real> cdf;
+    for (const FlatLight& l : flat.lights) {
+      lights.push_back(toTarget(flat, l, total));
+      sum += l.power / total;
+      cdf.push_back(Real(sum));
+    }
+    cdf.back() = 1;
     view.power = Real(total);
     view.lights = copy(lights_, "lights", lights);
-    view.lightBins = copy(lightBins_, "lights", makeAliasTable(powers));
+    view.lightCdf = copy(lightCdf_, "lights", cdf);
+    view.lightGuide = copy(lightGuide_, "lights", makeGuideTable(cdf));
   }
 
   void uploadTree(const KdTree& tree) {
@@ -124,7 +127,8 @@ class DeviceScene {
   Buffer<Layer> layers_;
   Buffer<Material> materials_;
   Buffer<Light> lights_;
-  Buffer<AliasBin> lightBins_;
+  Buffer<Real> lightCdf_;
+  Buffer<std::uint32_t> lightGuide_;
   Buffer<KdNode> nodes_;
   Buffer<KdLeaf> leaves_;
   Buffer<std::uint32_t> references_;

@@ -178,9 +178,11 @@ TEST_CASE("seam: a light without a place lights a sphere as it should") {
   testing::lookAt(host, {0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 20);
   Bench b(host);
   Light const sky{std::uint16_t(Emitters::indexOf<ConstantSky>()), 1, noPrimitive, Rgb(1.0f), 0, 1};
-  AliasBin const bin;
+  Real const cdf = 1;
+  std::uint32_t const guide = 0;
   b.frame.scene.lights = {&sky, 1};
-  b.frame.scene.lightBins = {&bin, 1};
+  b.frame.scene.lightCdf = {&cdf, 1};
+  b.frame.scene.lightGuide = {&guide, 1};
   auto const path = [&](Span<Rgb> film) { b.backend.forEach(b.frame.slots(), TracePath<F>{{b.frame, film}}); };
   auto const ray = [&](Span<Rgb> film) { b.backend.forEach(b.frame.slots(), TraceCamera<F>{{b.frame, film, {}, {}}}); };
   CHECK(b.mean(64, path) == doctest::Approx(albedo).epsilon(0.005));  // a convex body sees nothing but the sky
