@@ -1,5 +1,5 @@
 #pragma once
-// The list of BSDFs. A new kind is its own file and one word in each of the two lists.
+// The list of BSDFs. A new kind is its own file, NAME with NAMEParams, and one word here.
 
 #include <variant>
 
@@ -8,15 +8,23 @@
 #include "render/bsdf/mirror.h"
 #include "render/core/list.h"
 
+#define RL_BSDFS(X) X(Diffuse) X(Mirror) X(Dielectric)
+
+#define RL_BSDF(name) , RL_TARGET::name
+#define RL_BSDF_PARAMS(name) , name##Params
+
 namespace ropelight {
 
 /// A material as the scene holds it; the alternative's index is its kind on every backend.
-using MaterialDesc = std::variant<DiffuseParams, MirrorParams, DielectricParams>;
+using MaterialDesc = FromWords<std::variant, void RL_BSDFS(RL_BSDF_PARAMS)>;
 
 }  // namespace ropelight
 
 namespace ropelight::RL_TARGET {
 
-using Bsdfs = List<Diffuse, Mirror, Dielectric>;
+using Bsdfs = FromWords<List, void RL_BSDFS(RL_BSDF)>;
 
 }  // namespace ropelight::RL_TARGET
+
+#undef RL_BSDF
+#undef RL_BSDF_PARAMS

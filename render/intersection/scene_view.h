@@ -46,17 +46,17 @@ struct SceneView {
   Span<const Triangle> bvhTriangles;  ///< by item of the hierarchy; of other primitives the id alone
 };
 
-template <class T>
+template <class T, class Kinds = Bsdfs>
 RL_HD inline bool isKind(const Material& m) {
-  return m.kind == std::uint32_t(Bsdfs::indexOf<T>());
+  return m.kind == std::uint32_t(Kinds::template indexOf<T>());
 }
 
 namespace detail {
 
-template <FeatureBits F, class T, class Visit>
+template <FeatureBits F, class Kinds, class T, class Visit>
 RL_HD inline void visitOne(const Material& m, Visit& visit) {
   if constexpr ((F & T::bit) != 0) {
-    if (!isKind<T>(m)) return;
+    if (!isKind<T, Kinds>(m)) return;
     static_assert(sizeof(T) <= sizeof(m.data));
     T bsdf;
     std::memcpy(&bsdf, m.data, sizeof(T));
@@ -66,15 +66,15 @@ RL_HD inline void visitOne(const Material& m, Visit& visit) {
 
 template <FeatureBits F, class Visit, class... Ts>
 RL_HD inline void visitAll(const Material& m, Visit& visit, List<Ts...>) {
-  (visitOne<F, Ts>(m, visit), ...);
+  (visitOne<F, List<Ts...>, Ts>(m, visit), ...);
 }
 
 }  // namespace detail
 
 /// Calls visit(bsdf) with the material's own type; kinds that F leaves out are not compiled in.
-template <FeatureBits F, class Visit>
+template <FeatureBits F, class Kinds = Bsdfs, class Visit>
 RL_HD inline void visitBsdf(const Material& m, Visit&& visit) {
-  detail::visitAll<F>(m, visit, Bsdfs{});
+  detail::visitAll<F>(m, visit, Kinds{});
 }
 
 /// A point on a surface. n: unit outward geometric normal; error: bound on |computed − true| by axis.

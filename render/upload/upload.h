@@ -16,10 +16,11 @@ inline Sphere toTarget(const FlatSphere& s) {
   return Sphere{Mat3(glm::inverse(s.toWorld)), Mat3(s.toWorld), Vec3(s.center)};
 }
 
-inline Material toTarget(const MaterialDesc& desc) {
+template <class Kinds = Bsdfs, class... Descs>
+Material toTarget(const std::variant<Descs...>& desc) {
   Material m;
   m.kind = std::uint32_t(desc.index());
-  Bsdfs::forEach([&](auto type, int index) {
+  Kinds::forEach([&](auto type, int index) {
     using T = typename decltype(type)::type;
     if (std::uint32_t(index) != m.kind) return;
     T bsdf;
