@@ -17,23 +17,19 @@
 namespace ropelight {
 namespace {
 
-struct Bench {
-  const char* name;
-  BenchResult (*run)(const BenchOptions&);
-  bool needsWindow;
-};
-
-/// A new benchmark is its own file and one line here.
-constexpr Bench benches[] = {{"iteration", benchIteration, false}, {"gather", benchGather, false},
-                             {"kdtree", benchKdTree, false},       {"split", benchSplit, false},
-                             {"modes", benchModes, false},         {"traversal", benchTraversal, false},
-                             {"display", benchDisplay, true}};
-
-const Bench& findBench(const std::string& name) {
-  for (const Bench& bench : benches)
+const Bench& findBench(const std::string& name, std::span<const Bench> table) {
+  for (const Bench& bench : table)
     if (name == bench.name) return bench;
-  throw Error(fmt::format("bench: there is no benchmark '{}'; there are: {}", name, joinNames(benchNames())),
+  throw Error(fmt::format("bench: there is no benchmark '{}'; there are: {}", name, joinNames(benchNames(table))),
               ExitCode::usage);
+}
+
+std::vector<const Bench*> chosenOf(const BenchOptions& options, std::span<const Bench> table) {
+  std::vector<const Bench*> chosen;
+  for (const std::string& name : options.names) chosen.push_back(&findBench(name, table));
+  for (const Bench& bench : table)
+    if (options.names.empty() && !bench.needsWindow) chosen.push_back(&bench);
+  return chosen;
 }
 
 std::string fileOf(const std::string& folder, const std::string& name, const char* extension) {
@@ -71,17 +67,21 @@ void writeFiles(const std::string& folder, const BenchResult& result, const std:
 
 }  // namespace
 
-std::vector<std::string> benchNames() {
+std::span<const Bench> benches() {
+#define RL_BENCH(function, name, needsWindow) {name, function, needsWindow},
+  static constexpr Bench table[] = {RL_BENCHES(RL_BENCH)};
+#undef RL_BENCH
+  return table;
+}
+
+std::vector<std::string> benchNames(std::span<const Bench> table) {
   std::vector<std::string> names;
-  for (const Bench& bench : benches) names.push_back(bench.name);
+  for (const Bench& bench : table) names.push_back(bench.name);
   return names;
 }
 
-int runBench(const BenchOptions& options) {
-  std::vector<const Bench*> chosen;
-  for (const std::string& name : options.names) chosen.push_back(&findBench(name));
-  for (const Bench& bench : benches)
-    if (options.names.empty() && !bench.needsWindow) chosen.push_back(&bench);
+int runBench(const BenchOptions& options, std::span<const Bench> table) {
+  std::vector<const Bench*> const chosen = chosenOf(options, table);
   std::vector<std::string> const inputs = inputsOf(options);
   checkOutputs(options, chosen, inputs);
 

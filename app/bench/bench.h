@@ -1,6 +1,7 @@
 #pragma once
 // `ropelight bench`: speed, measured the same way every time.
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,32 +29,34 @@ bool fullSizes(const BenchOptions& options);
 BenchResult startResult(const char* bench, const std::string& device, const BenchOptions& options,
                         const std::string& settings);
 
-/// Times single iterations, by default of box-spheres-diffuse at 512 x 512 with 262,144 photons at three first radii.
-BenchResult benchIteration(const BenchOptions& options);
+/// A benchmark. A new one is its own file and a word of RL_BENCHES; its doc is at its function.
+struct Bench {
+  const char* name;
+  BenchResult (*run)(const BenchOptions&);
+  bool needsWindow;
+};
 
-/// Gathering 10³ to 10⁷ photons by brute force, grid and k nearest (paper, Figure 7), and building the grid.
-BenchResult benchGather(const BenchOptions& options);
+// X(function, name, needs a window)
+#define RL_BENCHES(X)                   \
+  X(benchIteration, "iteration", false) \
+  X(benchGather, "gather", false)       \
+  X(benchKdTree, "kdtree", false)       \
+  X(benchSplit, "split", false)         \
+  X(benchModes, "modes", false)         \
+  X(benchTraversal, "traversal", false) \
+  X(benchDisplay, "display", true)
 
-/// Rays against 10 to 10⁶ triangles by brute force and through trees (paper, Figure 8).
-BenchResult benchKdTree(const BenchOptions& options);
+#define RL_BENCH(function, name, needsWindow) BenchResult function(const BenchOptions& options);
+RL_BENCHES(RL_BENCH)
+#undef RL_BENCH
 
-/// Midpoint splits against the surface-area heuristic, binned and swept: build and trace (paper, Figure 9).
-BenchResult benchSplit(const BenchOptions& options);
+/// Those there are, in the order in which they run.
+std::span<const Bench> benches();
 
-/// An iteration of each mode and its parts against the triangle count (paper, Figure 10).
-BenchResult benchModes(const BenchOptions& options);
-
-/// Every traversal on primary, diffuse, shadow and photon rays.
-BenchResult benchTraversal(const BenchOptions& options);
-
-/// Times what a window's frame costs beyond the iteration, by every way that the pixels can go, by default at
-/// 1920 x 1080: pixels into GL, the display pass, and waiting for the GPU; no panel and no buffer swap. Opens a window.
-BenchResult benchDisplay(const BenchOptions& options);
-
-std::vector<std::string> benchNames();
+std::vector<std::string> benchNames(std::span<const Bench> table = benches());
 
 /// Returns the exit code: checkFailed where a benchmark's own results were wrong. Throws Error (usage) for an unknown
 /// name.
-int runBench(const BenchOptions& options);
+int runBench(const BenchOptions& options, std::span<const Bench> table = benches());
 
 }  // namespace ropelight

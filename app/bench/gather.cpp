@@ -216,6 +216,7 @@ void addStandardRows(std::vector<StreamQuery> queries, const BenchOptions& optio
 
 }  // namespace
 
+/// Gathering 10³ to 10⁷ photons by brute force, grid and k nearest (paper, Figure 7), and building the grid.
 BenchResult benchGather(const BenchOptions& options) {
   bool const full = fullSizes(options), gpu = chooseBackend(options.scene.backend).cuda;
   auto const queries = tiledQueries(gpu ? 592 : options.full ? 208 : 104);

@@ -230,6 +230,7 @@ BenchTable overScenes(const Settings& settings, const BenchOptions& options) {
 
 }  // namespace
 
+/// An iteration of each mode and its parts against the triangle count (paper, Figure 10).
 BenchResult benchModes(const BenchOptions& options) {
   bool const full = fullSizes(options);
   Settings settings = options.scene.settings;

@@ -112,6 +112,7 @@ LinePlot plotOf(const BenchResult& result, const BenchTable& table, const char* 
 
 }  // namespace
 
+/// Midpoint splits against the surface-area heuristic, binned and swept: build and trace (paper, Figure 9).
 BenchResult benchSplit(const BenchOptions& options) {
   bool const full = fullSizes(options);
   RayImage const image = full ? RayImage{1920, 1080} : RayImage{256, 256};

@@ -95,6 +95,7 @@ std::string suffixOf(std::string name) {
 
 }  // namespace
 
+/// Every traversal on primary, diffuse, shadow and photon rays.
 BenchResult benchTraversal(const BenchOptions& options) {
   bool const full = fullSizes(options);
   bool const cuda = chooseBackend(options.scene.backend).cuda;

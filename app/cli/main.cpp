@@ -5,7 +5,6 @@
 #include <exception>
 #include <new>
 #include <system_error>
-#include <variant>
 
 #include "app/cli/options.h"
 #include "app/run/standard_streams.h"
@@ -14,19 +13,6 @@
 namespace ropelight {
 namespace {
 
-int run(const Message& message) {
-  fmt::print("{}", message.text);
-  return int(ExitCode::done);
-}
-int run(const ViewOptions& options) { return runView(options); }
-int run(const RenderOptions& options) { return runRender(options); }
-int run(const InfoOptions& options) { return runInfo(options); }
-int run(const DevicesOptions& options) { return runDevices(options); }
-int run(const CompareOptions& options) { return runCompare(options); }
-int run(const BenchOptions& options) { return runBench(options); }
-int run(const StressOptions& options) { return runStress(options); }
-int run(const ConvergeOptions& options) { return runConverge(options); }
-
 int fail(const char* message, ExitCode code) {
   printError("ropelight: {}", message);
   return int(code);
@@ -34,7 +20,7 @@ int fail(const char* message, ExitCode code) {
 
 int runGuarded(int argc, char** argv) {
   try {
-    return std::visit([](const auto& options) { return run(options); }, parseCommandLine(argc, argv));
+    return parseCommandLine(argc, argv)();
   } catch (const Error& error) {
     return fail(error.what(), error.code());
   } catch (const std::bad_alloc&) {

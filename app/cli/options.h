@@ -1,29 +1,17 @@
 #pragma once
-// The command line as checked values.
+// The command line: which subcommand it is for, and what that makes of it.
 
+#include <span>
 #include <string>
-#include <variant>
 
-#include "app/bench/bench.h"
-#include "app/commands/compare.h"
-#include "app/commands/devices.h"
-#include "app/commands/info.h"
-#include "app/commands/render.h"
-#include "app/converge/converge.h"
-#include "app/stress/stress.h"
-#include "app/viewer/view.h"
+#include "app/subcommands/subcommands.h"
 
 namespace ropelight {
 
-/// --help and --version: a text for standard output.
-struct Message {
-  std::string text;
-};
-
-using Command = std::variant<Message, ViewOptions, RenderOptions, InfoOptions, DevicesOptions, CompareOptions,
-                             BenchOptions, StressOptions, ConvergeOptions>;
+/// What --help prints: a line for every subcommand.
+std::string overview(std::span<const Subcommand* const> table = subcommands());
 
 /// Reads the arguments, the program's name first. Throws Error (usage) naming the argument and what was expected.
-Command parseCommandLine(int argc, const char* const* argv);
+Command parseCommandLine(int argc, const char* const* argv, std::span<const Subcommand* const> table = subcommands());
 
 }  // namespace ropelight

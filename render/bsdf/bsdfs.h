@@ -1,5 +1,5 @@
 #pragma once
-// The list of BSDFs. A new kind is its own file and one word in each of the two lists.
+// The list of BSDFs. A new kind is its own file, NAME with NAMEParams, and one word here.
 
 #include <variant>
 
@@ -12,15 +12,23 @@
 #define RL_TEST_BSDFS  // what a test adds to the list
 #endif
 
+#define RL_BSDFS(X) X(Diffuse) X(Mirror) X(Dielectric)
+
+#define RL_BSDF(name) , RL_TARGET::name
+#define RL_BSDF_PARAMS(name) , name##Params
+
 namespace ropelight {
 
 /// A material as the scene holds it; the alternative's index is its kind on every backend.
-using MaterialDesc = std::variant<DiffuseParams, MirrorParams, DielectricParams>;
+using MaterialDesc = FromWords<std::variant, void RL_BSDFS(RL_BSDF_PARAMS)>;
 
 }  // namespace ropelight
 
 namespace ropelight::RL_TARGET {
 
-using Bsdfs = List<Diffuse, Mirror, Dielectric RL_TEST_BSDFS>;
+using Bsdfs = FromWords<List, void RL_BSDFS(RL_BSDF) RL_TEST_BSDFS>;
 
 }  // namespace ropelight::RL_TARGET
+
+#undef RL_BSDF
+#undef RL_BSDF_PARAMS

@@ -22,10 +22,10 @@ struct Material {
 
 namespace detail {
 
-template <FeatureBits F, class T, class Visit>
+template <FeatureBits F, class Kinds, class T, class Visit>
 RL_HD inline void visitOne(const Material& m, Visit& visit) {
   if constexpr ((F & T::bit) != 0) {
-    if (m.kind != Bsdfs::indexOf<T>()) return;
+    if (m.kind != Kinds::template indexOf<T>()) return;
     static_assert(sizeof(T) <= sizeof(m.constants));
     T bsdf;
     std::memcpy(&bsdf, m.constants, sizeof(T));
@@ -35,22 +35,22 @@ RL_HD inline void visitOne(const Material& m, Visit& visit) {
 
 template <FeatureBits F, class Visit, class... Ts>
 RL_HD inline void visitAll(const Material& m, Visit& visit, List<Ts...>) {
-  (visitOne<F, Ts>(m, visit), ...);
+  (visitOne<F, List<Ts...>, Ts>(m, visit), ...);
 }
 
 }  // namespace detail
 
 /// Calls visit(bsdf) with the BSDF's own type; kinds that F leaves out are not compiled in.
-template <FeatureBits F, class Visit>
+template <FeatureBits F, class Kinds = Bsdfs, class Visit>
 RL_HD inline void visitBsdf(const Material& m, Visit&& visit) {
-  detail::visitAll<F>(m, visit, Bsdfs{});
+  detail::visitAll<F>(m, visit, Kinds{});
 }
 
 /// A material with these parameters.
-template <class T>
+template <class Kinds = Bsdfs, class T>
 Material materialOf(const T& bsdf) {
   Material m;
-  m.kind = std::uint16_t(Bsdfs::indexOf<T>());
+  m.kind = std::uint16_t(Kinds::template indexOf<T>());
   m.lobes = std::uint16_t(bsdf.lobes());
   std::memcpy(m.constants, &bsdf, sizeof(T));
   return m;

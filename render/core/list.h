@@ -32,4 +32,15 @@ struct List {
   }
 };
 
+namespace detail {
+template <template <class...> class Of, class Ignored, class... Ts>
+struct AfterFirst {
+  using type = Of<Ts...>;
+};
+}  // namespace detail
+
+/// Of<A, B> from an X-macro of A and B that begins every word with a comma: FromWords<Of, void RL_LIST(RL_WORD)>.
+template <template <class...> class Of, class... Words>
+using FromWords = typename detail::AfterFirst<Of, Words...>::type;
+
 }  // namespace ropelight

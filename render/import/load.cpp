@@ -13,13 +13,6 @@
 namespace ropelight {
 namespace {
 
-struct Format {
-  const char* extension;
-  Scene (*load)(const std::filesystem::path&);
-};
-
-constexpr Format formats[] = {{".json", loadJsonScene}, {".obj", loadObjScene}};
-
 void addNotes(Scene& scene) {
   for (const Mesh& mesh : scene.meshes) {
     std::string const note = describe(mesh.file, mesh.report);
@@ -31,26 +24,39 @@ void addNotes(Scene& scene) {
 
 char lowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+bool has(const Importer& format, const std::string& extension) {
+  return std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end();
+}
+
 }  // namespace
 
-std::vector<std::string> sceneExtensions() {
+std::span<const Importer> importers() {
+  static const Importer table[] = {
+      {{".json"}, "ropelight's scene", loadJsonScene},
+      {{".obj"}, "Wavefront OBJ mesh", loadObjScene},
+  };
+  return table;
+}
+
+std::vector<std::string> sceneExtensions(std::span<const Importer> formats) {
   std::vector<std::string> extensions;
-  for (const Format& format : formats) extensions.push_back(format.extension);
+  for (const Importer& format : formats)
+    extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
   return extensions;
 }
 
-Scene loadScene(const std::filesystem::path& path) {
+Scene loadScene(const std::filesystem::path& path, std::span<const Importer> formats) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(), lowerCase);
-  for (const Format& format : formats) {
-    if (extension != format.extension) continue;
+  for (const Importer& format : formats) {
+    if (!has(format, extension)) continue;
     Scene scene = format.load(path);
     validateScene(scene);
     addNotes(scene);
     return scene;
   }
   throw Error(fmt::format("{}: \"{}\" is no known scene format; expected one of {}", path.string(), extension,
-                          joinNames(sceneExtensions())));
+                          joinNames(sceneExtensions(formats))));
 }
 
 }  // namespace ropelight

@@ -17,15 +17,16 @@ inline Sphere toTarget(const FlatSphere& s) {
   return Sphere{Mat3(glm::inverse(s.toWorld)), Mat3(s.toWorld), Vec3(s.center)};
 }
 
-inline Material toTarget(const MaterialDesc& desc) {
+template <class Kinds = Bsdfs, class... Descs>
+Material toTarget(const std::variant<Descs...>& desc) {
   Material m;
-  Bsdfs::forEach([&](auto type, int index) {
+  Kinds::forEach([&](auto type, int index) {
     using T = typename decltype(type)::type;
     if constexpr (requires { typename T::Params; }) {  // else a test's, which no scene holds
       if (index != int(desc.index())) return;
       T bsdf;
       static_cast<typename T::Params&>(bsdf) = std::get<typename T::Params>(desc);
-      m = materialOf(bsdf);
+      m = materialOf<Kinds>(bsdf);
     }
   });
   return m;
