@@ -92,9 +92,31 @@ void printText(const Scene& scene, const Settings& settings, const Stats& stats)
   printMemory(stats);
 }
 
+/// The budget that scripts/kernels.py holds the build to.
+constexpr int mostRegisters = 128;
+
+/// Exit code: checkFailed where a kernel takes more registers than the budget has.
+int printKernels(const BackendChoice& backend) {
+  std::vector<KernelUse> const uses = kernelUses(backend);
+  if (uses.empty()) {
+    fmt::print("kernels     on the CPU nothing is counted; choose a GPU, or run scripts/kernels.py\n");
+    return int(ExitCode::done);
+  }
+  bool above = false;
+  fmt::print("{:<14}{:<14}{:>10}{:>14}{:>6}\n", "stage", "row", "registers", "local, bytes", "sm");
+  for (const KernelUse& k : uses) {
+    above = above || k.registers > mostRegisters;
+    fmt::print("{:<14}{:<14}{:>10}{:>14}{:>6}{}\n", k.stage, k.row, k.registers, k.localBytes, k.architecture,
+               k.registers > mostRegisters ? fmt::format("  more than {}", mostRegisters) : "");
+  }
+  return int(above ? ExitCode::checkFailed : ExitCode::done);
+}
+
 }  // namespace
 
 int runInfo(const InfoOptions& options) {
+  if (options.kernels) return printKernels(options.scene.backend);
+  if (options.scene.scene.empty()) throw Error("info: SCENE is required, or --kernels", ExitCode::usage);
   std::string const sceneFile = findScene(options.scene.scene);
   requireOutputs({options.json}, {sceneFile});
   Scene const scene = loadScene(sceneFile);

@@ -8,6 +8,8 @@ namespace {
 
 void declare(CLI::App& app, InfoOptions& o) {
   addSceneName(app, o.scene.scene);
+  app.get_option("SCENE")->required(false);  // --kernels needs none
+  app.add_flag("--kernels", o.kernels, "registers and local memory of every kernel instead; needs no scene");
   addFile(app, "--json", o.json, jsonDoc);
   addSceneArguments(app, o.scene);
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "render/backend/devices.h"
+#include "render/backend/kernel_use.h"
 #include "render/backend/ledger.h"
 #include "render/backend/tally.h"
 #include "render/core/radix_sort.h"
@@ -108,6 +109,11 @@ class Backend {
       });
     });
     end(Stage::name, start);
+  }
+
+  template <int, class Stage>
+  static KernelUse useOf() {
+    return {Stage::name};
   }
 
   /// Calls stage(i, shared, tally); a CPU's caches need no copy of stage.shared.

@@ -8,6 +8,7 @@
 
 #include "render/backend/cuda_check.h"
 #include "render/backend/devices.h"
+#include "render/backend/kernel_use.h"
 #include "render/backend/ledger.h"
 #include "render/backend/tally.h"
 #include "render/core/span.h"
@@ -180,6 +181,13 @@ class Backend {
     Timer const timer(*this, Stage::name);
     runStage<Stage, blocks><<<(n + threads - 1) / threads, threads, 0, stream_>>>(n, stage, totals_.span().data);
     RL_CUDA(cudaGetLastError());
+  }
+
+  template <int blocks, class Stage>
+  static KernelUse useOf() {
+    cudaFuncAttributes a{};
+    RL_CUDA(cudaFuncGetAttributes(&a, runStage<Stage, blocks>));
+    return {Stage::name, "", a.numRegs, a.localSizeBytes, a.binaryVersion};
   }
 
   /// Calls stage(i, shared, tally), where shared points to a copy of stage.shared in shared memory.

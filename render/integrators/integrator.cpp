@@ -16,7 +16,8 @@ std::unique_ptr<Integrator> makePrepared(const Prepared& prepared);
 }
 namespace cuda {
 std::unique_ptr<Integrator> makePrepared(const Prepared& prepared);
-}
+std::vector<KernelUse> allKernelUses();
+}  // namespace cuda
 
 std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& settings, const BackendChoice& choice,
                                            std::string* why, std::shared_ptr<SceneCache> cache) {
@@ -30,6 +31,15 @@ std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& s
   if (chosen.cuda) return cuda::makePrepared(prepared);
 #endif
   return cpu::makePrepared(prepared);
+}
+
+std::vector<KernelUse> kernelUses(const BackendChoice& choice) {
+  if (!chooseBackend(choice).cuda) return {};
+#if ROPELIGHT_CUDA
+  return cuda::allKernelUses();
+#else
+  return {};
+#endif
 }
 
 }  // namespace ropelight

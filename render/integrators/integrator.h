@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/backend/devices.h"
+#include "render/backend/kernel_use.h"
 #include "render/film/image.h"
 #include "render/kernels/photon_point.h"
 #include "render/prepare/shared_scene.h"
@@ -91,5 +92,8 @@ class Integrator {
 /// settings that contradict each other. `cache`, of the same scene, saves the work that it already holds.
 std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& settings, const BackendChoice& choice,
                                            std::string* why = nullptr, std::shared_ptr<SceneCache> cache = nullptr);
+
+/// What the kernels of every row take of the GPU; empty on the CPU. Throws as makeIntegrator does.
+std::vector<KernelUse> kernelUses(const BackendChoice& choice);
 
 }  // namespace ropelight

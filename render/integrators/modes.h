@@ -6,6 +6,7 @@
 #include "render/integrators/path.h"
 #include "render/integrators/ray.h"
 #include "render/integrators/sppm.h"
+#include "render/launch/stages.h"
 
 namespace ropelight::RL_TARGET {
 
@@ -31,6 +32,15 @@ std::unique_ptr<Integrator> makePrepared(const Prepared& prepared) {
   for (const IntegratorMaker& maker : integratorMakers)
     if (integratorOf(prepared.settings) == maker.kind) return maker.make(prepared);
   throw Error("this mode has no integrator", ExitCode::internal);
+}
+
+/// What every kernel of every row takes of a GPU.
+std::vector<KernelUse> allKernelUses() {
+  std::vector<KernelUse> uses;
+#define RL_ADD_STAGE(stage, header) addKernelUses<stage##Args>(uses);
+  RL_STAGES(RL_ADD_STAGE)
+#undef RL_ADD_STAGE
+  return uses;
 }
 
 }  // namespace ropelight::RL_TARGET
