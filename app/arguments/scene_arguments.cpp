@@ -39,7 +39,7 @@ void addSettings(CLI::App& app, Settings& settings) {
 }  // namespace
 
 void addBackendArguments(CLI::App& app, BackendChoice& backend) {
-  addValue(app, "--backend", backend.backend, ParamInfo{"auto (first usable GPU, else the CPU), cuda or cpu"});
+  addValue(app, "--backend", backend.backend, ParamInfo{.doc = "what computes", .choices = choicesOf<BackendKind>});
   addValue(app, "--gpu", backend.gpu, ParamInfo{"index of the GPU; -1: the first usable one", -1, 1023});
   addValue(app, "--threads", backend.threads, ParamInfo{"CPU threads; 0: all cores", 0, 4096});
 }

@@ -72,7 +72,10 @@ std::string formatValue(double value) { return fmt::format("{}", value); }
 std::string formatValue(std::optional<double> value) { return value ? formatValue(*value) : ""; }
 
 std::string describe(const ParamInfo& info) {
-  return *info.unit ? fmt::format("{} ({})", info.doc, info.unit) : std::string(info.doc);
+  std::string text = *info.unit ? fmt::format("{} ({})", info.doc, info.unit) : std::string(info.doc);
+  for (const ChoiceInfo& choice : info.choices)
+    text += fmt::format("{}{} ({})", &choice == info.choices.data() ? ": " : ", ", choice.name, choice.doc);
+  return text;
 }
 
 }  // namespace ropelight

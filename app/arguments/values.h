@@ -35,7 +35,7 @@ std::string formatValue(E value) {
   return nameOf(value);
 }
 
-/// What the value is, for --help: the doc with its unit.
+/// What the value is, for --help: the doc with its unit and its choices.
 std::string describe(const ParamInfo& info);
 
 }  // namespace ropelight

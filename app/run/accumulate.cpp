@@ -35,7 +35,7 @@ Accumulated accumulate(Integrator& integrator, const Goal& goal, const StopOnSig
   do {
     batch = std::min(batch, limit - done);
     double const before = now;
-    integrator.advance(int(batch));
+    if (!integrator.advance(int(batch))) return {elapsed(), true};
     now = elapsed();
     done += batch;
     progress.update(done, now);

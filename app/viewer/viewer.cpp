@@ -2,21 +2,13 @@
 
 #include <GL/glew.h>
 #include <fmt/format.h>
-#include <imgui.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
-#include "app/arguments/scene_path.h"
 #include "app/run/output.h"
 #include "app/run/standard_streams.h"
 #include "app/viewer/camera/pick.h"
-#include "app/viewer/gl/capture.h"
-#include "render/backend/devices.h"
 #include "render/core/error.h"
-#include "render/image_files/image_file.h"
-#include "render/import/load.h"
 
 namespace ropelight::view {
 namespace {
@@ -24,85 +16,7 @@ namespace {
 constexpr float panelWidth = 404;      ///< at scale 1
 constexpr double matchPatience = 0.3;  ///< seconds that the window's size must hold
 
-Size sizeOf(const ViewOptions& options, const Preferences& preferences) {
-  if (options.window.empty()) return {preferences.width, preferences.height};
-  Size size;
-  const std::string& text = options.window;
-  const char* const end = text.data() + text.size();
-  auto const [x, first] = std::from_chars(text.data(), end, size.width);
-  bool const cross = first == std::errc{} && x != end && *x == 'x';
-  auto const [stop, second] = cross ? std::from_chars(x + 1, end, size.height) : std::from_chars_result{end, {}};
-  if (!cross || second != std::errc{} || stop != end || std::min(size.width, size.height) < 1 ||
-      std::max(size.width, size.height) > 16384)
-    throw Error(fmt::format("--window: '{}' is no size such as 1280x800", text), ExitCode::usage);
-  return size;
-}
-
-std::filesystem::path preferencesPath(const ViewOptions& options) {
-  return options.noPreferences || options.frames > 0 ? std::filesystem::path{} : preferencesFile();
-}
-
-/// Everything that can be known to fail before a window opens.
-ViewOptions checked(ViewOptions options) {
-  options.scene.scene = findScene(options.scene.scene);
-  requireOutputs({options.screenshot, options.state}, {options.scene.scene, options.reference, options.script});
-  chooseBackend(options.scene.backend);
-  return options;
-}
-
-int gpuOf(const BackendChoice& choice) {
-  ChosenBackend const chosen = chooseBackend(choice);
-  return chosen.cuda ? chosen.gpu : -1;
-}
-
-/// The scene, where no output would overwrite one of its files.
-std::shared_ptr<const Scene> loadFirstScene(const ViewOptions& options, const std::filesystem::path& preferences) {
-  auto scene = std::make_shared<const Scene>(loadScene(options.scene.scene));
-  std::vector<std::string> inputs = filesOf(*scene);
-  inputs.insert(inputs.end(), {options.reference, options.script, preferences.string()});
-  requireOutputs({options.screenshot, options.state}, inputs);
-  return scene;
-}
-
-/// The script, where no command of it would overwrite what is read. It may write a file of its own again.
-std::optional<Script> loadScript(const ViewOptions& options, const Scene& scene) {
-  if (options.script.empty()) return {};
-  Script script = Script::load(options.script);
-  std::vector<std::string> inputs = filesOf(scene);
-  inputs.insert(inputs.end(), {options.reference, options.script});
-  for (const std::string& file : script.outputs()) requireNoInput(file, inputs);
-  return script;
-}
-
-Preferences initialPreferences(const std::filesystem::path& file, std::string& problem) {
-  return file.empty() ? Preferences{} : loadPreferences(file, problem);
-}
-
 }  // namespace
-
-Viewer::Viewer(const ViewOptions& options)
-    : options_(checked(options)),
-      lockStep_(options.frames > 0),
-      preferencesFile_(preferencesPath(options)),
-      comingScene_(loadFirstScene(options_, preferencesFile_)),
-      script_(loadScript(options_, *comingScene_)),
-      preferences_(initialPreferences(preferencesFile_, problem_)),
-      state_(preferences_.state),
-      window_("ropelight", sizeOf(options, preferences_).width, sizeOf(options, preferences_).height),
-      gui_(window_, window_.contentScale() * float(options.uiScale)),
-      renderer_(options_.scene.backend, lockStep_),
-      picture_(gpuOf(options.scene.backend), !options.noInterop) {
-  state_.settings = {options_.scene.settings, options_.scene.settings};
-  camera_.views = preferences_.views;
-  camera_.speed = preferences_.speed;
-  renderer_.setSettings(estimateA, state_.settings[estimateA]);
-  if (!options_.reference.empty()) open(options_.reference);
-  if (!problem_.empty() && !options_.reference.empty() && !renderer_.referenceStatus().present) throw Error(problem_);
-  renderer_.setScene(comingScene_, comingScene_->camera);
-  watch_.start(*comingScene_);
-  window_.setVsync(!lockStep_);
-  started_ = frameStart_ = lastInput_ = Clock::now();
-}
 
 Viewer::~Viewer() = default;
 
@@ -251,68 +165,6 @@ void Viewer::drawPicture() {
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, fb.width, fb.height);
   gui_.end();
-}
-
-PanelContext Viewer::context() {
-  std::vector<double> sorted(frameMs_.begin(), frameMs_.end());
-  std::erase(sorted, 0.0);
-  std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2), sorted.end());
-  counts_.medianMs = sorted.empty() ? 0 : sorted[sorted.size() / 2];
-  PanelContext c{state_,
-                 camera_,
-                 actions_,
-                 estimates_,
-                 renderer_.referenceStatus(),
-                 renderer_.backendText(),
-                 picture_.describePath(),
-                 picture_.times(),
-                 0,
-                 "",
-                 {},
-                 problem_,
-                 notice_,
-                 false,
-                 0,
-                 0,
-                 {}};
-  c.framesPerSecond = counts_.medianMs > 0 ? 1e3 / counts_.medianMs : 0;
-  c.sceneName = scene_ ? scene_->file : comingScene_->file;
-  if (scene_) c.sceneNotes = scene_->notes;
-  if (problem_.empty()) c.problem = picture_.problem();
-  readMagnifier(c);
-  return c;
-}
-
-void Viewer::readMagnifier(PanelContext& c) {
-  Size const fb = window_.framebufferSize(), size = window_.windowSize();
-  const ImGuiIO& io = ImGui::GetIO();
-  if (size.width == 0 || io.WantCaptureMouse || !ImGui::IsMousePosValid()) return;
-  double const ratio = double(fb.width) / size.width;
-  c.cursorOnPicture = picture_.pixelAt(io.MousePos.x * ratio, io.MousePos.y * ratio, c.cursorX, c.cursorY);
-  if (!c.cursorOnPicture || !state_.inspectorShown) return;
-  for (int k = 0; k < 3; ++k) c.magnifier[std::size_t(k)] = picture_.readAround(k, c.cursorX, c.cursorY, magnified);
-}
-
-ViewScale Viewer::viewScale() const {
-  const CameraDesc& c = camera_.camera();
-  const EstimateStatus& a = estimates_[estimateA];
-  return {glm::length(c.target - c.position), a.draft ? 0 : a.stats.firstRadius};
-}
-
-void Viewer::screenshot(const std::string& file) {
-  attempt("saved " + file, [&] {
-    requireNoInput(file, inputs());
-    Size const fb = window_.framebufferSize();
-    saveScreenshot(file, captureScreen(fb.width, fb.height));
-  });
-}
-
-void Viewer::writeState(const std::string& file) {
-  attempt("", [&] {
-    requireNoInput(file, inputs());
-    writeJson(file, stateReport(context(), picture_, window_, counts_, controls_.selection()));
-    counts_.slowestMs = 0;
-  });
 }
 
 void Viewer::setTitle() {

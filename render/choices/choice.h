@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/core/error.h"
+#include "render/core/params.h"
 
 namespace ropelight {
 
@@ -51,17 +52,19 @@ constexpr const char* nameOf(E value) {
   return choiceOf(value).name;
 }
 
-/// All names in order, as ParamInfo::choices takes them.
+/// All values in order, as ParamInfo::choices takes them.
 template <ChoiceEnum E>
-inline constexpr auto choiceNames = [] {
-  std::array<const char*, std::size(ChoicesOf<E>::table)> names{};
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = ChoicesOf<E>::table[i].name;
-  return names;
+inline constexpr auto choicesOf = [] {
+  std::array<ChoiceInfo, std::size(ChoicesOf<E>::table)> infos{};
+  for (std::size_t i = 0; i < infos.size(); ++i) infos[i] = {ChoicesOf<E>::table[i].name, ChoicesOf<E>::table[i].doc};
+  return infos;
 }();
 
 template <ChoiceEnum E>
 std::vector<std::string> namesOf() {
-  return {choiceNames<E>.begin(), choiceNames<E>.end()};
+  std::vector<std::string> names;
+  for (const ChoiceInfo& info : choicesOf<E>) names.emplace_back(info.name);
+  return names;
 }
 
 /// The row of that name; null where there is none.

@@ -36,10 +36,11 @@ struct ChoicesOf<Aov> {
       {{Aov::normal, "normal", "of the first hit"}, AovSource::firstHit},
       {{Aov::depth, "depth", "distance to the first hit"}, AovSource::firstHit},
       {{Aov::albedo, "albedo", "of the first hit"}, AovSource::firstHit},
-      {{Aov::traversal, "traversal", "tree cells or nodes visited and primitives tested"}, AovSource::firstHit},
-      {{Aov::tests, "tests", "primitives tested, an instance as one"}, AovSource::firstHit},
-      {{Aov::photonCount, "photon-count", "photons that a gather finds"}, AovSource::gather},
-      {{Aov::gatherRadius, "gather-radius", "radius of the gather"}, AovSource::gather},
+      {{Aov::traversal, "traversal", "tree cells or nodes visited and primitives tested at the first hit"},
+       AovSource::firstHit},
+      {{Aov::tests, "tests", "primitives tested at the first hit, an instance as one"}, AovSource::firstHit},
+      {{Aov::photonCount, "photon-count", "photons that a gather of sppm finds"}, AovSource::gather},
+      {{Aov::gatherRadius, "gather-radius", "radius of the gather of sppm"}, AovSource::gather},
   };
 };
 

@@ -34,20 +34,25 @@ struct Settings {
 
   bool operator==(const Settings&) const = default;
 
+  /// Calls v(name, member, info) for every setting in order.
   template <class V>
   void params(V&& v) {
-    using I = ParamInfo;
-    v("mode", mode, I{.doc = "ray, path or sppm", .group = "Mode", .choices = choiceNames<Mode>});
-    v("aov", aov,
-      I{.doc = "what the film holds: radiance; at the first hit the normal, depth, albedo, traversal (tree "
-               "cells or nodes visited and primitives tested) or tests (primitives tested, an instance as one); of the "
-               "sppm "
-               "photon-count or "
-               "gather-radius",
-        .group = "Mode",
-        .choices = choiceNames<Aov>});
+    modeParams(v);
+    photonParams(v);
+    accelerationParams(v);
+    samplingParams(v);
+    filmParams(v);
+  }
+
+ private:
+  using I = ParamInfo;
+
+  template <class V>
+  void modeParams(V& v) {
+    v("mode", mode, I{.doc = "how light is found", .group = "Mode", .choices = choicesOf<Mode>});
+    v("aov", aov, I{.doc = "what the film holds", .group = "Mode", .choices = choicesOf<Aov>});
     v("direct", direct,
-      I{.doc = "direct light in sppm: shadow or photons", .group = "Mode", .choices = choiceNames<DirectLight>});
+      I{.doc = "what brings direct light in sppm", .group = "Mode", .choices = choicesOf<DirectLight>});
     v("indirect-only", indirectOnly, I{.doc = "leave out emission and direct light", .group = "Mode"});
     v("max-depth", maxDepth,
       I{.doc = "edges of a path; 0: unlimited",
@@ -56,6 +61,10 @@ struct Settings {
         .group = "Mode",
         .high = 32,
         .zero = "unlimited"});
+  }
+
+  template <class V>
+  void photonParams(V& v) {
     v("photons", photons,
       I{.doc = "photon paths an iteration",
         .min = 1,
@@ -74,8 +83,7 @@ struct Settings {
         .zero = "from the scene"});
     v("alpha", alpha,
       I{.doc = "share of photons kept as the radius shrinks", .min = 0.01, .max = 1, .group = "Photons"});
-    v("gather", gather,
-      I{.doc = "photon gather: radius or nearest", .group = "Photons", .choices = choiceNames<GatherBy>});
+    v("gather", gather, I{.doc = "which photons a gather takes", .group = "Photons", .choices = choicesOf<GatherBy>});
     v("nearest", nearest, I{.doc = "k of the k-nearest gather", .min = 2, .max = 128, .group = "Photons"});
     v("cell-size", cellSize,
       I{.doc = "edge of a grid cell; shorter along x, and longer where there is no room for so many",
@@ -92,15 +100,14 @@ struct Settings {
         .group = "Photons",
         .high = 16384,
         .zero = "a quarter of the device's"});
+  }
+
+  template <class V>
+  void accelerationParams(V& v) {
     v("accel", accel,
-      I{.doc = "ray acceleration: auto, bvh, tree (kd-tree with ropes), short-stack (kd-tree) or brute",
-        .group = "Acceleration",
-        .choices = choiceNames<Accel>,
-        .zero = "auto"});
+      I{.doc = "what rays go through", .group = "Acceleration", .choices = choicesOf<Accel>, .zero = "auto"});
     v("split", split,
-      I{.doc = "kd-tree builder: sah (binned), sweep (exact SAH) or midpoint",
-        .group = "Acceleration",
-        .choices = choiceNames<SplitBy>});
+      I{.doc = "where the kd-tree's builder splits a node", .group = "Acceleration", .choices = choicesOf<SplitBy>});
     v("bins", bins,
       I{.doc = "SAH bins per axis of the kd-tree",
         .min = 2,
@@ -119,8 +126,17 @@ struct Settings {
         .max = 64,
         .group = "Acceleration",
         .zero = "from the primitive count"});
-    v("sampler", sampler, I{.doc = "sobol or independent", .group = "Sampling", .choices = choiceNames<SamplerKind>});
+  }
+
+  template <class V>
+  void samplingParams(V& v) {
+    v("sampler", sampler,
+      I{.doc = "where the numbers of a path come from", .group = "Sampling", .choices = choicesOf<SamplerKind>});
     v("seed", seed, I{.doc = "random seed", .min = 0, .max = 18446744073709551615.0, .group = "Sampling", .high = 100});
+  }
+
+  template <class V>
+  void filmParams(V& v) {
     v("width", width,
       I{.doc = "image width; 0: from the scene",
         .min = 0,

@@ -26,52 +26,42 @@ void findCells(const std::vector<std::uint32_t>& keys, const IterationState& sta
   for (std::uint32_t i = 0; i < FindCells::calls(cells, batch); ++i) find(i, tally);
 }
 
-}  // namespace
+/// Photons in the slots of their paths, some of them in tails, as tracing leaves them.
+struct Stored {
+  static constexpr std::uint32_t paths = 200, stripe = 3, tails = 600, capacity = 1500;
 
-TEST_CASE("the stages order the photons by cell, tails included, and leave the rest of the list out") {
-  constexpr std::uint32_t paths = 200, stripe = 3, tails = 600, capacity = 1500;
-  TestRandom random(7);
-  std::vector<DepositCount> counts(paths), offsets(paths + 1);
-  for (std::uint32_t p = 0; p < paths; ++p) {
-    std::uint32_t const n = random.below(8);
-    counts[p] = {n, n > stripe ? n - stripe : 0, n > stripe ? 1u : 0u};
-    offsets[p + 1] = offsets[p] + counts[p];
-  }
-  std::uint32_t const total = offsets[paths].all;
-  REQUIRE((total < capacity && offsets[paths].tail < tails && offsets[paths].tail > 10));
-
-  std::vector<Photon> photons(paths * stripe + tails);
-  std::vector<PhotonPosition> positions(capacity);
-  std::vector<PhotonPower> powers(capacity);
-  std::vector<std::uint32_t> keys(capacity), slots(capacity), scratch(2 * capacity);
+  std::vector<DepositCount> counts = std::vector<DepositCount>(paths), offsets = std::vector<DepositCount>(paths + 1);
+  std::vector<Photon> photons = std::vector<Photon>(paths * stripe + tails);
+  std::vector<PhotonPosition> positions = std::vector<PhotonPosition>(capacity);
+  std::vector<PhotonPower> powers = std::vector<PhotonPower>(capacity);
+  std::vector<std::uint32_t> keys = std::vector<std::uint32_t>(capacity), slots = keys;
+  std::vector<Vec3> points;  ///< by path, then deposit; a photon's power.path is its index + 1
   IterationState state;
-  state.chunkPhotons = total;
   PhotonStore store;
-  store.paths = paths;
-  store.stripe = stripe;
-  store.tailCapacity = tails;
-  store.photonCapacity = capacity;
-  store.photons = {photons.data(), std::uint32_t(photons.size())};
-  store.counts = {counts.data(), paths};
-  store.offsets = {offsets.data(), paths + 1};
-  store.keys = {keys.data(), capacity};
-  store.slots = {slots.data(), capacity};
-  store.state = {&state, 1};
-  std::vector<Vec3> points;
-  for (std::uint32_t p = 0; p < paths; ++p)
-    for (std::uint32_t j = 0; j < counts[p].all; ++j) {
-      std::uint32_t const slot = store.slotOf(p, j);
-      CHECK(photons.at(slot).power.path == 0);  // no slot twice
-      points.push_back(Vec3(random.inBox(1)));
-      photons[slot] = {{points.back(), 0}, {Rgb(1.0f), std::uint32_t(points.size())}};
-    }
 
-  for (std::uint32_t table : {1u << 14, 8u}) {
-    PhotonGrid grid;
-    layOut(grid, Bounds{Vec3d(-1), Vec3d(1)}, 0.2, table);
-    CHECK(grid.dense == (table == 1u << 14));
-    std::vector<std::uint32_t> starts(grid.cells + 1, 12345);
+  Stored() {
+    TestRandom random(7);
+    count(random);
+    store.paths = paths;
+    store.stripe = stripe;
+    store.tailCapacity = tails;
+    store.photonCapacity = capacity;
+    store.photons = {photons.data(), std::uint32_t(photons.size())};
+    store.counts = {counts.data(), paths};
+    store.offsets = {offsets.data(), paths + 1};
+    store.keys = {keys.data(), capacity};
+    store.slots = {slots.data(), capacity};
+    store.state = {&state, 1};
+    fill(random);
+  }
+  Stored(const Stored&) = delete;
+
+  std::uint32_t total() const { return offsets[paths].all; }
+
+  /// All stages, into cells that begin at `starts`.
+  void bin(const PhotonGrid& grid, std::vector<std::uint32_t>& starts) {
     Tally tally;
+    std::vector<std::uint32_t> scratch(2 * capacity);
     for (std::uint32_t p = 0; p < paths; ++p) WriteKeys{store, grid}(p, tally);
     for (std::uint32_t k = 0; k < capacity; ++k) PadKeys{store, grid.cells}(k, tally);
     radixSortPairs(keys.data(), slots.data(), scratch.data(), scratch.data() + capacity, capacity,
@@ -83,16 +73,53 @@ TEST_CASE("the stages order the photons by cell, tails included, and leave the r
                              {powers.data(), capacity}};
     for (std::uint32_t k = 0; k < capacity; ++k) order(k, tally);
     findCells(keys, state, starts, 4);
+  }
 
-    CHECK(starts.front() == 0);
-    CHECK(starts.back() == total);
-    int misplaced = 0;
+  int misplaced(const PhotonGrid& grid, const std::vector<std::uint32_t>& starts) const {
+    int wrong = 0;
     for (std::uint32_t c = 0; c < grid.cells; ++c)
       for (std::uint32_t k = starts[c]; k < starts[c + 1]; ++k) {
-        misplaced += grid.key(positions[k].p) != c || points.at(powers[k].path - 1) != positions[k].p;
-        misplaced += k > starts[c] && powers[k].path <= powers[k - 1].path;  // stable: by path, then deposit
+        wrong += grid.key(positions[k].p) != c || points.at(powers[k].path - 1) != positions[k].p;
+        wrong += k > starts[c] && powers[k].path <= powers[k - 1].path;  // stable: by path, then deposit
       }
-    CHECK(misplaced == 0);
+    return wrong;
+  }
+
+ private:
+  void count(TestRandom& random) {
+    for (std::uint32_t p = 0; p < paths; ++p) {
+      std::uint32_t const n = random.below(8);
+      counts[p] = {n, n > stripe ? n - stripe : 0, n > stripe ? 1u : 0u};
+      offsets[p + 1] = offsets[p] + counts[p];
+    }
+    REQUIRE((total() < capacity && offsets[paths].tail < tails && offsets[paths].tail > 10));
+    state.chunkPhotons = total();
+  }
+
+  void fill(TestRandom& random) {
+    for (std::uint32_t p = 0; p < paths; ++p)
+      for (std::uint32_t j = 0; j < counts[p].all; ++j) {
+        std::uint32_t const slot = store.slotOf(p, j);
+        CHECK(photons.at(slot).power.path == 0);  // no slot twice
+        points.push_back(Vec3(random.inBox(1)));
+        photons[slot] = {{points.back(), 0}, {Rgb(1.0f), std::uint32_t(points.size())}};
+      }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the stages order the photons by cell, tails included, and leave the rest of the list out") {
+  Stored stored;
+  for (std::uint32_t table : {1u << 14, 8u}) {
+    PhotonGrid grid;
+    layOut(grid, Bounds{Vec3d(-1), Vec3d(1)}, 0.2, table);
+    CHECK(grid.dense == (table == 1u << 14));
+    std::vector<std::uint32_t> starts(grid.cells + 1, 12345);
+    stored.bin(grid, starts);
+    CHECK(starts.front() == 0);
+    CHECK(starts.back() == stored.total());
+    CHECK(stored.misplaced(grid, starts) == 0);
   }
 }
 

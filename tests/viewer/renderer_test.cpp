@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <thread>
@@ -10,64 +9,10 @@
 #include "app/viewer/session/error_curve.h"
 #include "app/viewer/session/estimate.h"
 #include "app/viewer/session/renderer.h"
-#include "render/import/load.h"
 #include "tests/support/rendering.h"
+#include "tests/viewer/renderer_waits.h"
 
 namespace ropelight::view {
-namespace {
-
-std::shared_ptr<const Scene> asset(const char* name) {
-  return std::make_shared<const Scene>(loadScene(std::string(ROPELIGHT_ASSETS) + "/" + name + ".json"));
-}
-
-Settings settingsOf(Mode mode, int width = 48) {
-  Settings s = testing::settingsFor(mode, width, 32);
-  s.photons = 2000;
-  return s;
-}
-
-/// False where it does not become true within a minute.
-template <class Condition>
-bool waitFor(Condition&& condition) {
-  auto const end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return true;
-}
-
-bool iterated(const Renderer& r, int which, std::uint64_t n) {
-  EstimateStatus const s = r.status(which);
-  return s.ready && !s.draft && s.pixelIterations >= n;
-}
-
-const BackendChoice onCpu{BackendKind::cpu, -1, 0, false};
-
-struct Shown {
-  int width = 0, height = 0;
-  std::uint64_t iterations = 0;
-  std::vector<float> pixels;
-};
-
-Shown shownBy(Renderer& r, int which) {
-  Shown s;
-  s.pixels.resize(1 << 20);
-  REQUIRE(r.copyPixels(which, s.pixels.data(), s.pixels.size() * sizeof(float), s.width, s.height, s.iterations));
-  s.pixels.resize(std::size_t(s.width) * std::size_t(s.height) * 4);
-  return s;
-}
-
-bool equals(const Shown& shown, const Image& image) {
-  if (shown.width != image.width || shown.height != image.height) return false;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    for (int c = 0; c < 3; ++c)
-      if (shown.pixels[4 * i + std::size_t(c)] != image.pixels[i][c]) return false;
-  return true;
-}
-
-}  // namespace
-
 TEST_CASE("in lock step the window shows what a render without a window gives, bit for bit") {
   auto const scene = asset("cornell-caustics");
   Renderer renderer(onCpu, true);
@@ -124,28 +69,6 @@ TEST_CASE("a paused renderer shows an iteration after a change, and steps when t
   REQUIRE(waitFor([&] { return renderer.status(estimateA).pixelIterations == 4; }));
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   CHECK(renderer.status(estimateA).pixelIterations == 4);
-}
-
-TEST_CASE("a scene that cannot be rendered leaves the old one, and says why") {
-  auto const scene = asset("cornell");
-  Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf(Mode::path));
-  renderer.setScene(scene, scene->camera);
-  REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
-  auto bad = std::make_shared<Scene>(*scene);
-  bad->shapes[0].toWorld[3][0] = 1e300;  // beyond float
-  renderer.setScene(bad, bad->camera);
-  REQUIRE(waitFor([&] { return !renderer.problem().empty(); }));
-  CHECK(renderer.scene() == scene);
-  std::uint64_t const n = renderer.status(estimateA).pixelIterations;
-  CHECK(waitFor([&] { return iterated(renderer, estimateA, n + 1); }));
-
-  Settings wrong = settingsOf(Mode::path);
-  wrong.aov = Aov::photonCount;  // path gathers none
-  renderer.setSettings(estimateA, wrong);
-  REQUIRE(waitFor([&] { return !renderer.status(estimateA).problem.empty(); }));
-  renderer.setSettings(estimateA, settingsOf(Mode::path));
-  CHECK(waitFor([&] { return renderer.status(estimateA).problem.empty() && iterated(renderer, estimateA, 1); }));
 }
 
 TEST_CASE("two estimates share the machine's time, and errors against a reference fall") {
@@ -221,51 +144,6 @@ TEST_CASE("dragging for long never stops the pictures, and ends at full size") {
   CHECK(renderer.status(estimateA).width == 400);
 }
 
-TEST_CASE("settings that do not fit leave an estimate that says so, and another change brings it back") {
-  auto const scene = asset("cornell");
-  Renderer renderer(onCpu);
-  Settings tight = settingsOf(Mode::sppm);
-  tight.photons = 200000;
-  renderer.setSettings(estimateA, tight);
-  renderer.setScene(scene, scene->camera);
-  REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
-  tight.gather = GatherBy::nearest;
-  tight.photonMemory = 1;  // all photons at once need more
-  renderer.setSettings(estimateA, tight);
-  REQUIRE(waitFor([&] { return !renderer.status(estimateA).problem.empty(); }));
-  CHECK(renderer.status(estimateA).problem.find("MiB") != std::string::npos);
-  CameraDesc moved = scene->camera;
-  moved.position.x += 0.1;
-  renderer.setCamera(moved, renderer.sceneVersion());
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  tight.photonMemory = 0;
-  renderer.setSettings(estimateA, tight);
-  CHECK(waitFor([&] {
-    EstimateStatus const s = renderer.status(estimateA);
-    return s.problem.empty() && s.stats.settings.gather == GatherBy::nearest && iterated(renderer, estimateA, 1);
-  }));
-}
-
-TEST_CASE("refused settings leave the old ones, which follow the camera and can be reset") {
-  auto const scene = asset("cornell");
-  Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf(Mode::sppm));
-  renderer.setScene(scene, scene->camera);
-  REQUIRE(waitFor([&] { return iterated(renderer, estimateA, 1); }));
-  Settings wrong = settingsOf(Mode::sppm);
-  wrong.mode = Mode::path;
-  wrong.aov = Aov::photonCount;
-  renderer.setSettings(estimateA, wrong);
-  REQUIRE(waitFor([&] { return !renderer.status(estimateA).problem.empty(); }));
-  CameraDesc moved = scene->camera;
-  moved.position.x += 0.1;
-  renderer.setCamera(moved, renderer.sceneVersion());
-  REQUIRE(waitFor([&] { return renderer.status(estimateA).camera == moved && iterated(renderer, estimateA, 3); }));
-  renderer.reset();
-  // What was iterated may still be from before the reset, whose film is empty for a moment.
-  CHECK(waitFor([&] { return iterated(renderer, estimateA, 5) && !renderer.film(estimateA).first.pixels.empty(); }));
-}
-
 TEST_CASE("while paused, a new mode, photons and a reference show without a step") {
   auto const scene = asset("cornell-caustics");
   Renderer renderer(onCpu);
@@ -284,20 +162,6 @@ TEST_CASE("while paused, a new mode, photons and a reference show without a step
   CHECK(waitFor([&] { return renderer.status(estimateA).errors.size() == 1; }));
   renderer.clearReference();
   CHECK(waitFor([&] { return renderer.status(estimateA).errors.empty(); }));
-}
-
-TEST_CASE("an estimate that cannot be had does not keep a scene from opening") {
-  auto const scene = asset("cornell");
-  Renderer renderer(onCpu);
-  renderer.setSettings(estimateA, settingsOf(Mode::path));
-  Settings wrong = settingsOf(Mode::path);
-  wrong.aov = Aov::photonCount;
-  renderer.setSettings(estimateB, wrong);
-  renderer.setEnabled(estimateB, true);
-  renderer.setScene(scene, scene->camera);
-  CHECK(waitFor([&] { return iterated(renderer, estimateA, 1); }));
-  CHECK(renderer.problem().empty());
-  CHECK(waitFor([&] { return !renderer.status(estimateB).problem.empty(); }));
 }
 
 TEST_CASE("a draft costs less by the square of its scale, and keeps what it can of a small film") {

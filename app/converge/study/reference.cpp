@@ -23,7 +23,7 @@ struct Half {
   Stats stats;
 };
 
-/// At least one iteration; ends early when asked to.
+/// At least one iteration; ends early where it is asked to, or interrupted.
 Half renderHalf(Integrator& integrator, const ReferenceOptions& options) {
   double const seconds = options.seconds / 2;
   std::uint64_t const iterations = std::max<std::uint64_t>(1, options.iterations / 2);
@@ -34,7 +34,7 @@ Half renderHalf(Integrator& integrator, const ReferenceOptions& options) {
       batch = std::uint64_t(std::clamp((seconds - so.seconds) / so.seconds * double(so.iterations), 1.0,
                                        std::min(4096.0, double(so.iterations))));
     if (options.seconds == 0) batch = std::min<std::uint64_t>(64, iterations - so.iterations);
-    integrator.advance(int(batch));
+    if (!integrator.advance(int(batch))) break;
     if (options.stop && options.stop()) break;
   } while (options.seconds > 0 ? integrator.stats().seconds < seconds : integrator.stats().iterations < iterations);
   return {integrator.film(), integrator.stats()};

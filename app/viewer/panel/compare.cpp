@@ -15,8 +15,8 @@ namespace {
 
 void drawLayout(CompareSettings& compare) {
   editParam("compare", "layout", compare.layout,
-            {.doc = "how the two share the picture (V)", .choices = choiceNames<Layout>});
-  static constexpr const char* others[] = {"B", "reference"};
+            {.doc = "how the two share the picture (V)", .choices = choicesOf<Layout>});
+  static constexpr ChoiceInfo others[] = {{"B", "the other estimate"}, {"reference", "what errors are against"}};
   int against = compare.withReference ? 1 : 0;
   if (editChoice("compare", "against", against, {.doc = "what A is compared with in the picture", .choices = others}))
     compare.withReference = against == 1;

@@ -110,7 +110,7 @@ void drawTreeOverlay(PanelContext& context) {
 void drawTone(PanelContext& context) {
   ToneSettings& tone = context.state.tone;
   editParam("tone", "curve", tone.curve,
-            {.doc = "from radiance to the screen; the film stays as it is (T)", .choices = choiceNames<Curve>});
+            {.doc = "from radiance to the screen; the film stays as it is (T)", .choices = choicesOf<Curve>});
   editParam("tone", "exposure", tone.exposure,
             {.doc = "radiance is multiplied by 2 to this power (+, -)",
              .min = -100,

@@ -48,7 +48,7 @@ class PreferencesReader {
   template <ChoiceEnum E>
   void choice(const char* key, E& value) {
     std::vector<std::string> names;
-    for (const char* name : choiceNames<E>) names.push_back(inCamelCase(name));
+    for (const std::string& name : namesOf<E>()) names.push_back(inCamelCase(name));
     read(key, [&](const JsonNode& node) { value = E(node.choice(key, names)); });
   }
 
@@ -98,7 +98,7 @@ class PreferencesWriter {
 
   template <ChoiceEnum E>
   void choice(const char* key, E& value) {
-    if (std::size_t(value) < choiceNames<E>.size()) json_[key] = inCamelCase(nameOf(value));
+    if (std::size_t(value) < choicesOf<E>.size()) json_[key] = inCamelCase(nameOf(value));
   }
 
   template <class List>

@@ -134,13 +134,14 @@ bool comboOf(const std::string& mark, const ParamInfo& info, const std::string& 
   paramTip(info);
   if (!open) return false;
   for (int i = 0; i < int(info.choices.size()); ++i) {
-    const char* const choice = info.choices[std::size_t(i)];
-    if (ImGui::Selectable(choice, i == index)) {
+    const ChoiceInfo& choice = info.choices[std::size_t(i)];
+    if (ImGui::Selectable(choice.name, i == index)) {
       changed = i != index;
       index = i;
     }
     if (i == index) ImGui::SetItemDefaultFocus();
-    markWidget(fmt::format("{}/{}", mark, choice));
+    markWidget(fmt::format("{}/{}", mark, choice.name));
+    paramTip({.doc = choice.doc});
   }
   ImGui::EndCombo();
   return changed;
@@ -237,7 +238,9 @@ bool editParam(const std::string& prefix, const char* name, double& value, const
 }
 
 bool editChoice(const std::string& prefix, const char* name, int& index, const ParamInfo& info, int resolved) {
-  auto const nameAt = [&](int i) { return i >= 0 && i < int(info.choices.size()) ? info.choices[std::size_t(i)] : ""; };
+  auto const nameAt = [&](int i) {
+    return i >= 0 && i < int(info.choices.size()) ? info.choices[std::size_t(i)].name : "";
+  };
   std::string const mark = markOf(prefix, name);
   ImGui::PushID(mark.c_str());
   rowLabel(name, info);
