@@ -1,5 +1,5 @@
 #pragma once
-// Surfaces at the same place: which of them a ray meets first, and which one next. Hits find the place; a short ray
+// Surfaces at the same place: which of them a ray hits first, and which one next. Hits find the place; a short ray
 // along the normal there finds who else covers it, and the numbers of their layers decide. So every structure and every
 // order of the file give the same answer, and scenes without such surfaces compile none of it.
 
@@ -8,7 +8,7 @@
 
 namespace ropelight::RL_TARGET {
 
-/// A ray on its way, or the surface that it meets before it gets anywhere.
+/// A ray on its way, or the surface that it hits before it gets anywhere.
 struct Flight {
   Ray ray;
   Hit ahead;
@@ -34,7 +34,7 @@ RL_HD inline bool towardsFront(const Surface& s, const Layer& layer, Vec3 w) {
   return (dot(s.n, w) > 0) != layer.flipped();
 }
 
-/// Calls test(id) for what the ray may meet within its tMax.
+/// Calls test(id) for what the ray may hit within its tMax.
 template <FeatureBits F, class Test>
 RL_HD inline void forEachNear(const SceneView& scene, const Ray& ray, Test&& test) {
   if constexpr ((F & feature::bvh) != 0)
@@ -85,7 +85,7 @@ RL_HD inline Hit before(const SceneView& scene, const Surface& s, Vec3 w) {
 
 }  // namespace stack
 
-/// The surface at a hit, where several lie at the same place the one that the ray meets first.
+/// The surface at a hit, where several lie at the same place the one that the ray hits first.
 template <FeatureBits F>
 RL_HD inline Surface surfaceMet(const SceneView& scene, const Ray& ray, const Hit& hit) {
   Surface s = surfaceAt<F>(scene, ray, hit);
@@ -99,7 +99,7 @@ RL_HD inline Surface surfaceMet(const SceneView& scene, const Ray& ray, const Hi
   return s;
 }
 
-/// Follows a flight to the next surface; false where it meets none.
+/// Follows a flight to the next surface; false where it hits none.
 template <FeatureBits F>
 RL_HD inline bool meet(const SceneView& scene, const Flight& flight, Surface& out) {
   if constexpr ((F & feature::coincident) != 0) {

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes that are kept once, their places in the world, and how a ray meets one.
+// Instanced meshes, their placements in the world, and how a ray hits one.
 
 #include "render/geometry/primitives.h"
 #include "render/intersection/traverse.h"

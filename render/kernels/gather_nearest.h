@@ -35,7 +35,7 @@ RL_HD inline int bitWidth(Key x) {
 }
 
 inline constexpr int binBits = 6, bins = 1 << binBits;
-/// Of one bin, for which there is a list; more are divided into bins again.
+/// Photons of one bin that are listed; a bin with more is divided into bins again.
 inline constexpr int listed = 16;
 
 /// Counts that stop at 255, more than any k.

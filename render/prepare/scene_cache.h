@@ -22,7 +22,7 @@ class SceneCache {
   /// Built now, or one of the latest few. Waits for a tree that another thread is building.
   std::shared_ptr<const KdTree> tree(const std::shared_ptr<const FlatScene>& flat, const KdConfig& config);
   std::shared_ptr<const Bvh<2>> bvh(const std::shared_ptr<const FlatScene>& flat, const BvhConfig& config);
-  /// The same, one for each mesh that is kept once. They outlast a flat scene that covers more, which has the same
+  /// The same, one for each instanced mesh. They outlast a flat scene that covers more, which has the same
   /// meshes.
   std::shared_ptr<const std::vector<KdTree>> meshTrees(const FlatScene& flat, const KdConfig& config);
   std::shared_ptr<const std::vector<Bvh<2>>> meshBvhs(const FlatScene& flat, const BvhConfig& config);

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes that are kept once, and their places, on a backend: the lists of all meshes in one buffer a kind.
+// Instanced meshes and their placements on a backend: the lists of all meshes in one buffer a kind.
 
 #include "accel/bvh/build.h"
 #include "render/intersection/scene_view.h"
