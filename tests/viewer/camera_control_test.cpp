@@ -9,6 +9,7 @@
 #include "render/camera/camera.h"
 #include "render/import/load.h"
 #include "tests/support/scene_files.h"
+#include "tests/support/test_random.h"
 #include "tests/viewer/camera_moves.h"
 
 using namespace ropelight;

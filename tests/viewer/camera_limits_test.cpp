@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/viewer/camera/camera_control.h"
+#include "render/camera/camera.h"
 #include "tests/support/test_random.h"
 #include "tests/viewer/camera_moves.h"
 
