@@ -1,5 +1,5 @@
-#include "app/arguments/scene_arguments.h"
 #include "app/converge/converge.h"
+#include "app/arguments/scene_arguments.h"
 #include "app/subcommands/parse.h"
 #include "app/subcommands/subcommands.h"
 

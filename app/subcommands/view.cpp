@@ -1,7 +1,7 @@
+#include "app/viewer/view.h"
 #include "app/arguments/scene_arguments.h"
 #include "app/subcommands/parse.h"
 #include "app/subcommands/subcommands.h"
-#include "app/viewer/view.h"
 
 namespace ropelight {
 namespace {

@@ -95,7 +95,7 @@ class Backend {
   }
 
   /// Calls stage(i, tally) for i in [0, n), in no order. The number is for a GPU alone.
-  template <int = 1, class Stage>
+  template <int = 0, class Stage>
   void forEach(std::uint32_t n, const Stage& stage) {
     if (interrupted()) return;
     auto const start = begin(Stage::name);

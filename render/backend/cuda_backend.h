@@ -38,14 +38,34 @@ __device__ inline void addToTotals(TallyTotals* totals, const Tally& t) {
 
 inline constexpr int stageThreads = 128;  ///< of a block
 
-/// Runs a stage. blocks: that a multiprocessor must hold at once, which bounds the registers.
-template <class Stage, int blocks>
-__global__ void __launch_bounds__(stageThreads, blocks)
-    runStage(std::uint32_t n, const __grid_constant__ Stage stage, TallyTotals* totals) {
+/// What every kernel of a stage does.
+template <class Stage>
+__device__ inline void callStage(std::uint32_t n, const Stage& stage, TallyTotals* totals) {
   std::uint32_t const i = blockIdx.x * blockDim.x + threadIdx.x;
   Tally tally;
   if (i < n) stage(i, tally);
   addToTotals(totals, tally);
+}
+
+template <class Stage>
+__global__ void runStage(std::uint32_t n, const __grid_constant__ Stage stage, TallyTotals* totals) {
+  callStage(n, stage, totals);
+}
+
+/// The same with a bound on registers: blocks that a multiprocessor must hold at once.
+template <class Stage, int blocks>
+__global__ void __launch_bounds__(stageThreads, blocks)
+    runBounded(std::uint32_t n, const __grid_constant__ Stage stage, TallyTotals* totals) {
+  callStage(n, stage, totals);
+}
+
+/// The kernel of a stage. blocks: as in runBounded; 0: no bound, which leaves the compiler its own balance.
+template <class Stage, int blocks>
+constexpr auto kernelOf() {
+  if constexpr (blocks > 0)
+    return &runBounded<Stage, blocks>;
+  else
+    return &runStage<Stage>;
 }
 
 /// As runStage, with what stage.shared spans copied into shared memory first.
@@ -172,21 +192,22 @@ class Backend {
     if (buffer.size() > 0) RL_CUDA(cudaMemsetAsync(buffer.span().data, 0, buffer.size() * sizeof(T), stream_));
   }
 
-  /// Calls stage(i, tally) for i in [0, n), in no order. blocks: see runStage.
-  template <int blocks = 1, class Stage>
+  /// Calls stage(i, tally) for i in [0, n), in no order. blocks: see kernelOf.
+  template <int blocks = 0, class Stage>
   void forEach(std::uint32_t n, const Stage& stage) {
     if (n == 0 || interrupted()) return;
     ledger_.launched(Stage::name);
     constexpr std::uint32_t threads = stageThreads;
     Timer const timer(*this, Stage::name);
-    runStage<Stage, blocks><<<(n + threads - 1) / threads, threads, 0, stream_>>>(n, stage, totals_.span().data);
+    kernelOf<Stage, blocks>()<<<(n + threads - 1) / threads, threads, 0, stream_>>>(n, stage, totals_.span().data);
     RL_CUDA(cudaGetLastError());
   }
 
   template <int blocks, class Stage>
   static KernelUse useOf() {
     cudaFuncAttributes a{};
-    RL_CUDA(cudaFuncGetAttributes(&a, runStage<Stage, blocks>));
+    auto const kernel = kernelOf<Stage, blocks>();
+    RL_CUDA(cudaFuncGetAttributes(&a, kernel));
     return {Stage::name, "", a.numRegs, a.localSizeBytes, a.binaryVersion};
   }
 

@@ -45,13 +45,14 @@ template <FeatureBits F>
 struct TraceCamera : TraceCameraArgs {
   RL_HD void operator()(std::uint32_t slot, Tally& tally) const {
     int x, y;
+    Chain chain;
     bool arrived = false;
-    radiance[slot] = Rgb(0.0f);
     if (frame.pixelOf(slot, x, y)) {
       Sampler sampler = frame.cameraSampler(x, y);
       Ray const ray = frame.cameraRay<F>(x, y, sampler);
-      arrived = trace(Flight{ray, Hit{}}, sampler, slot, tally);
+      arrived = trace(Flight{ray, Hit{}}, sampler, slot, chain, tally);
     }
+    radiance[slot] = chain.sum;
     if (!arrived && !points.empty()) points[slot] = GatherPoint{};
   }
 
@@ -65,14 +66,12 @@ struct TraceCamera : TraceCameraArgs {
 
   /// Whether the path arrived. What comes after the arrival stands outside the loop: within it, the results would hold
   /// registers while rays are traced.
-  RL_HD bool trace(Flight flight, Sampler& sampler, std::uint32_t slot, Tally& tally) const {
-    Chain chain;
+  RL_HD bool trace(Flight flight, Sampler& sampler, std::uint32_t slot, Chain& chain, Tally& tally) const {
     Surface s;
     Vec3 back;
-    bool arrived = follow(flight, sampler, chain, s, back, tally);
-    if (arrived) chain.sum += arrive(s, back, sampler, chain, slot, tally);
-    radiance[slot] = chain.sum;
-    return arrived;
+    if (!follow(flight, sampler, chain, s, back, tally)) return false;
+    chain.sum += arrive(s, back, sampler, chain, slot, tally);
+    return true;
   }
 
   RL_HD bool follow(Flight& flight, Sampler& sampler, Chain& chain, Surface& s, Vec3& back, Tally& tally) const {

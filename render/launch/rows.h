@@ -33,8 +33,11 @@ inline constexpr FeatureBits full = mesh | feature::instances;
 inline constexpr FeatureBits all = feature::all;
 
 /// Blocks of 128 threads that a GPU's multiprocessor must hold at once: 4 leave a kernel 128 registers. Kernels that
-/// would take more are faster so; smaller ones come out larger, and are left alone.
-constexpr int blocks(FeatureBits features) { return features & (feature::instances | kdTrees) ? 4 : 1; }
+/// would take more are faster so; smaller ones come out larger, and are left alone (0).
+constexpr int blocks(FeatureBits features) {
+  bool const touchingMeshes = (features & feature::coincident) != 0 && (features & feature::bvh) != 0;
+  return touchingMeshes || (features & (feature::instances | kdTrees)) != 0 ? 4 : 0;
+}
 }  // namespace row
 
 inline constexpr KernelRow kernelRows[] = {
