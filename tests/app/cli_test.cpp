@@ -202,7 +202,7 @@ TEST_CASE("converge writes a page, a table and plots, and says which mode was be
   Arguments const study = {"converge", "cornell",  "--backend", "cpu",       "--width",
                            "24",       "--height", "24",        "--photons", "512"};
   Result const made = run(folder, study + Arguments{"--modes", "ray,path,sppm:alpha=0.5", "--iterations", "12",
-                                                    "--seeds", "2", "--reference-time", "0.4", "--save-reference",
+                                                    "--seeds", "2", "--reference-time", "2", "--save-reference",
                                                     "{scene}.exr", "--out", "study", "--json", "study.json"});
   CAPTURE(made.err);
   CHECK(made.code == 0);
