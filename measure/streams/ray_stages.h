@@ -38,9 +38,9 @@ struct TraceBrute : TraceBase<F, anyHit> {
   RL_HD void operator()(std::uint32_t i, Tally&) const {
     Ray const ray = this->batch.ray(i);
     if constexpr (anyHit)
-      this->batch.put(i, occludedBruteForce<F>(this->scene, ray, noPrimitive));
+      this->batch.put(i, occludedBruteForce<F & ~feature::bvh>(this->scene, ray, noPrimitive));
     else
-      this->batch.put(i, closestHitBruteForce<F>(this->scene, ray));
+      this->batch.put(i, closestHitBruteForce<F & ~feature::bvh>(this->scene, ray));
   }
 };
 

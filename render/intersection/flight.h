@@ -50,7 +50,7 @@ RL_HD inline void forEachNear(const SceneView& scene, const Ray& ray, Test&& tes
 /// the lowest of all. Its t is 0; none is found where there is no such surface.
 template <FeatureBits F>
 RL_HD inline Hit search(const SceneView& scene, const Surface& s, const Layer& at, bool front, bool lowest) {
-  constexpr FeatureBits shapes = F & ~(feature::tree | feature::shortStack | feature::bvh | feature::instances);
+  constexpr FeatureBits shapes = F & ~(feature::tree | feature::shortStack | feature::instances);
   Ray const probe{s.p - s.n * Real(at.depth), s.n, 2 * Real(at.depth)};
   RayShear const shear(probe);
   std::uint32_t const limit = front ? at.fromFront : at.fromBack;

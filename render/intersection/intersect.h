@@ -31,7 +31,8 @@ RL_HD inline Hit traverseTwoLevels(const SceneView& scene, const Ray& ray, std::
   return TwoLevelTraversal<F, anyHit>(scene, ray, ignored).run();
 }
 
-/// Every primitive, kind by kind. The reference that every other structure must equal.
+/// Every primitive, kind by kind. The reference that every other structure must equal. With feature::bvh the triangles
+/// may lie in the order of a BVH.
 template <FeatureBits F>
 RL_HD inline Hit closestHitBruteForce(const SceneView& scene, const Ray& ray) {
   Hit hit;
@@ -43,7 +44,7 @@ RL_HD inline Hit closestHitBruteForce(const SceneView& scene, const Ray& ray) {
   if constexpr ((F & feature::spheres) != 0)
     for (std::uint32_t k = 0; k < scene.spheres.size; ++k) intersect(scene.spheres[k], ray, id++, hit);
   if constexpr ((F & feature::triangles) != 0)
-    for (std::uint32_t k = 0; k < scene.triangles.size; ++k) intersect(scene.triangles[k], shear, id++, hit);
+    for (std::uint32_t k = 0; k < scene.triangles.size; ++k) intersect(triangleOf<F>(scene, k), shear, id++, hit);
   if constexpr ((F & feature::instances) != 0)
     for (const Instance& instance : scene.instances) intersect<FeatureBits(0), false>(scene.meshes, instance, ray, hit);
   return hit;
@@ -51,12 +52,12 @@ RL_HD inline Hit closestHitBruteForce(const SceneView& scene, const Ray& ray) {
 
 template <FeatureBits F>
 RL_HD inline bool occludedBruteForce(const SceneView& scene, const Ray& ray, std::uint32_t ignored) {
-  constexpr FeatureBits withoutStructures = F & ~(feature::tree | feature::bvh);
+  constexpr FeatureBits shapes = F & ~feature::tree;
   RayShear const shear(ray);
   Hit hit;
   hit.t = ray.tMax;
   for (std::uint32_t id = 0; id < scene.primitiveCount && !hit.found(); ++id)
-    if (id != ignored) intersectPrimitive<withoutStructures, true>(scene, ray, shear, id, hit);
+    if (id != ignored) intersectPrimitive<shapes, true>(scene, ray, shear, id, hit);
   return hit.found();
 }
 
@@ -80,6 +81,7 @@ class LastInstance {
 
 template <FeatureBits F>
 RL_HD inline Hit closestHitTree(const SceneView& scene, const Ray& ray) {
+  constexpr FeatureBits shapes = F & ~feature::bvh;
   Hit hit;
   hit.t = ray.tMax;
   RayShear const shear(ray);
@@ -87,7 +89,7 @@ RL_HD inline Hit closestHitTree(const SceneView& scene, const Ray& ray) {
   traverseTree<F>(
       scene, ray,
       [&](std::uint32_t id) {
-        if (!last.again(id)) intersectPrimitive<F>(scene, ray, shear, id, hit);
+        if (!last.again(id)) intersectPrimitive<shapes>(scene, ray, shear, id, hit);
       },
       [&](Real t) { return hit.t <= t; });
   return hit;
@@ -95,6 +97,7 @@ RL_HD inline Hit closestHitTree(const SceneView& scene, const Ray& ray) {
 
 template <FeatureBits F>
 RL_HD inline bool occludedTree(const SceneView& scene, const Ray& ray, std::uint32_t ignored) {
+  constexpr FeatureBits shapes = F & ~feature::bvh;
   RayShear const shear(ray);
   Hit hit;
   hit.t = ray.tMax;
@@ -102,7 +105,8 @@ RL_HD inline bool occludedTree(const SceneView& scene, const Ray& ray, std::uint
   traverseTree<F>(
       scene, ray,
       [&](std::uint32_t id) {
-        if (id != ignored && !hit.found() && !last.again(id)) intersectPrimitive<F, true>(scene, ray, shear, id, hit);
+        if (id != ignored && !hit.found() && !last.again(id))
+          intersectPrimitive<shapes, true>(scene, ray, shear, id, hit);
       },
       [&](Real t) { return hit.found() || ray.tMax <= t; });
   return hit.found();
@@ -139,7 +143,7 @@ RL_HD inline Hit closestHit(const SceneView& scene, const Ray& ray) {
     if (!scene.bvh.nodes.empty()) return closestHitBvh<F>(scene, scene.bvh, ray);
   if constexpr ((F & feature::tree) != 0)
     if (!scene.tree.nodes.empty()) return closestHitTree<F>(scene, ray);
-  return closestHitBruteForce<F>(scene, ray);
+  return closestHitBruteForce<F & ~feature::bvh>(scene, ray);  // no BVH, so that triangles lie by number
 }
 
 /// Whether anything but `ignored` lies in (0, tMax]. A light's own primitive is ignored: it is convex, so that it never
@@ -150,7 +154,7 @@ RL_HD inline bool occluded(const SceneView& scene, const Ray& ray, std::uint32_t
     if (!scene.bvh.nodes.empty()) return occludedBvh<F>(scene, scene.bvh, ray, ignored);
   if constexpr ((F & feature::tree) != 0)
     if (!scene.tree.nodes.empty()) return occludedTree<F>(scene, ray, ignored);
-  return occludedBruteForce<F>(scene, ray, ignored);
+  return occludedBruteForce<F & ~feature::bvh>(scene, ray, ignored);
 }
 
 }  // namespace ropelight::RL_TARGET

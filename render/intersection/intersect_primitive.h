@@ -6,6 +6,13 @@
 
 namespace ropelight::RL_TARGET {
 
+/// Triangle k of a scene. Without feature::bvh in F, the caller knows that they lie in the order of their numbers.
+template <FeatureBits F>
+RL_HD inline const Triangle& triangleOf(const SceneView& scene, std::uint32_t k) {
+  if constexpr ((F & feature::bvh) != 0) return scene.triangles[k];
+  return scene.triangles.triangles[k];
+}
+
 /// anyHit: of an instance any triangle will do.
 template <FeatureBits F, bool anyHit = false>
 RL_HD inline void intersectPrimitive(const SceneView& scene, const Ray& ray, const RayShear& shear, std::uint32_t id,
@@ -20,7 +27,8 @@ RL_HD inline void intersectPrimitive(const SceneView& scene, const Ray& ray, con
   }
   k -= scene.spheres.size;
   if constexpr ((F & feature::triangles) != 0) {
-    if ((F & feature::instances) == 0 || k < scene.triangles.size) return intersect(scene.triangles[k], shear, id, hit);
+    if ((F & feature::instances) == 0 || k < scene.triangles.size)
+      return intersect(triangleOf<F>(scene, k), shear, id, hit);
   }
   k -= scene.triangles.size;
   if constexpr ((F & feature::instances) != 0) intersect<F, anyHit>(scene.meshes, scene.instances[k], ray, hit);

@@ -14,7 +14,7 @@ using namespace ropelight::cpu;
 
 namespace {
 
-constexpr FeatureBits bruteForce = feature::quads | feature::spheres | feature::triangles;
+constexpr FeatureBits bruteForce = feature::quads | feature::spheres | feature::triangles | feature::bvh;
 
 /// Rays through one hierarchy as the renderer traces them, primitive by primitive.
 class WideTracer {

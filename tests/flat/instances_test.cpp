@@ -18,7 +18,8 @@ using namespace ropelight::cpu;
 
 namespace {
 
-constexpr FeatureBits bruteForce = feature::quads | feature::spheres | feature::triangles | feature::instances;
+constexpr FeatureBits bruteForce =
+    feature::quads | feature::spheres | feature::triangles | feature::instances | feature::bvh;
 constexpr FeatureBits everything = feature::all;
 
 /// The number in the scene with every mesh in the world of a hit in the one with every mesh placed.
