@@ -23,10 +23,8 @@
 
 #if defined(__CUDA_ARCH__)
 #define RL_DEVICE_CODE 1
-#define RL_NOINLINE __noinline__
 #else
 #define RL_DEVICE_CODE 0
-#define RL_NOINLINE
 #endif
 
 namespace ropelight::RL_TARGET {

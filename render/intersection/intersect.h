@@ -25,12 +25,6 @@ RL_HD inline void intersectItem(const SceneView& scene, const Ray& ray, const Ra
   }
 }
 
-/// A function of its own on a GPU: what its callers keep alive costs it no registers.
-template <FeatureBits F, bool anyHit>
-RL_HD inline Hit traverseTwoLevels(const SceneView& scene, const Ray& ray, std::uint32_t ignored) {
-  return TwoLevelTraversal<F, anyHit>(scene, ray, ignored).run();
-}
-
 /// Every primitive, kind by kind. The reference that every other structure must equal. With feature::bvh the triangles
 /// may lie in the order of a BVH.
 template <FeatureBits F>
@@ -115,7 +109,7 @@ RL_HD inline bool occludedTree(const SceneView& scene, const Ray& ray, std::uint
 template <FeatureBits F, int W>
 RL_HD inline Hit closestHitBvh(const SceneView& scene, const BvhView<W>& bvh, const Ray& ray) {
   if constexpr (W == 2 && bvhWidth == 2 && (F & feature::instances) != 0)
-    return traverseTwoLevels<F, false>(scene, ray, noPrimitive);
+    return TwoLevelTraversal<F, false>(scene, ray, noPrimitive).run();
   Hit hit;
   hit.t = ray.tMax;
   RayShear const shear(ray);
@@ -127,7 +121,7 @@ RL_HD inline Hit closestHitBvh(const SceneView& scene, const BvhView<W>& bvh, co
 template <FeatureBits F, int W>
 RL_HD inline bool occludedBvh(const SceneView& scene, const BvhView<W>& bvh, const Ray& ray, std::uint32_t ignored) {
   if constexpr (W == 2 && bvhWidth == 2 && (F & feature::instances) != 0)
-    return traverseTwoLevels<F, true>(scene, ray, ignored).found();
+    return TwoLevelTraversal<F, true>(scene, ray, ignored).run().found();
   Hit hit;
   hit.t = ray.tMax;
   RayShear const shear(ray);

@@ -32,8 +32,8 @@ inline constexpr FeatureBits full = mesh | feature::instances;
 /// Everything, kd-trees included, which are there to be compared with and looked at.
 inline constexpr FeatureBits all = feature::all;
 
-/// Blocks of 128 threads that a GPU's multiprocessor must hold at once: 4 leave a kernel 128 registers. Kernels that
-/// would take more are faster so; smaller ones come out larger, and are left alone (0).
+/// Blocks of 128 threads that a GPU's multiprocessor must hold at once: 4 leave a kernel 128 registers. Rows whose
+/// kernels would take more are bounded; the others are left to the compiler (0).
 constexpr int blocks(FeatureBits features) {
   bool const touchingMeshes = (features & feature::coincident) != 0 && (features & feature::bvh) != 0;
   return touchingMeshes || (features & (feature::instances | kdTrees)) != 0 ? 4 : 0;

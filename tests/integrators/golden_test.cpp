@@ -84,6 +84,7 @@ void write(const fs::path& path, const std::string& maker, const std::map<std::s
 
 void compare(const fs::path& path, const std::string& maker, const BackendChoice& backend) {
   std::ifstream in(path);
+  REQUIRE(in.good());
   std::string first, scene, mode, hash;
   std::getline(in, first);
   if (first != maker) {
