@@ -33,8 +33,8 @@ struct Stats {
   double radius = 0;                 ///< of the latest iteration
   Settings settings;                 ///< resolved: no automatic value is left
   std::vector<std::string> advice;   ///< settings that make no sense for the scene, a sentence each
-  std::string accel;                 ///< tree or brute
-  std::uint64_t treeNodes = 0;       ///< of the kd-tree; 0 without one
+  std::string accel;                 ///< what rays go through
+  std::uint64_t treeNodes = 0;       ///< of the kd-tree or the BVHs; 0 without one
   std::uint64_t treeLeaves = 0;
   int treeDepth = 0;
   double treeSeconds = 0;  ///< to build it

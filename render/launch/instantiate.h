@@ -7,12 +7,12 @@ namespace ropelight::RL_TARGET {
 
 template <class Args, FeatureBits F>
 void launchRow(Backend& backend, std::uint32_t n, const Args& args) {
-  backend.template forEach<row::blocks(F)>(n, typename Args::template Stage<F>{args});
+  backend.template forEach<row::blocks(Args::name, F)>(n, typename Args::template Stage<F>{args});
 }
 
 template <class Args, FeatureBits F>
 KernelUse kernelUse() {
-  return Backend::useOf<row::blocks(F), typename Args::template Stage<F>>();
+  return Backend::useOf<row::blocks(Args::name, F), typename Args::template Stage<F>>();
 }
 
 }  // namespace ropelight::RL_TARGET

@@ -4,6 +4,7 @@
 // depends on this table.
 
 #include <iterator>
+#include <string_view>
 
 #include "render/core/features.h"
 
@@ -32,9 +33,25 @@ inline constexpr FeatureBits full = mesh | feature::instances;
 /// Everything, kd-trees included, which are there to be compared with and looked at.
 inline constexpr FeatureBits all = feature::all;
 
+/// A stage that runs faster in a row where more of it fits on a multiprocessor than the compiler would have it.
+struct Residency {
+  std::string_view stage;
+  FeatureBits features;
+  int blocks;
+};
+
+/// Measured on an H100 (docs/benchmarks/rooms.md): 6 blocks leave a kernel 80 registers, 5 leave 96.
+inline constexpr Residency measured[] = {{"TraceCamera", basic, 6},
+                                         {"TraceCamera", mesh, 6},
+                                         {"TracePath", basic, 5},
+                                         {"TracePath", mesh, 5},
+                                         {"TracePhotons", mesh, 6}};
+
 /// Blocks of 128 threads that a GPU's multiprocessor must hold at once: 4 leave a kernel 128 registers. Rows whose
-/// kernels would take more are bounded; the others are left to the compiler (0).
-constexpr int blocks(FeatureBits features) {
+/// kernels would take more are bounded; where nothing was measured, the others are left to the compiler (0).
+constexpr int blocks(std::string_view stage, FeatureBits features) {
+  for (const Residency& r : measured)
+    if (r.stage == stage && r.features == features) return r.blocks;
   bool const touchingMeshes = (features & feature::coincident) != 0 && (features & feature::bvh) != 0;
   return touchingMeshes || (features & (feature::instances | kdTrees)) != 0 ? 4 : 0;
 }

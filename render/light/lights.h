@@ -9,7 +9,7 @@ namespace ropelight::RL_TARGET {
 
 /// Index of the light whose share of [0, 1) holds u; u is rescaled to [0, 1) within the share.
 RL_HD inline std::uint32_t pickLight(const SceneView& scene, Real& u) {
-  std::uint32_t const k = findByGuide(scene.lightCdf, scene.lightGuide, u);
+  std::uint32_t const k = scene.lights.size > 1 ? findByGuide(scene.lightCdf, scene.lightGuide, u) : 0;
   Real const before = k > 0 ? scene.lightCdf[k - 1] : Real(0);
   u = minOf(maxOf((u - before) / scene.lights[k].pick, Real(0)), 1 - machineEpsilon);
   return k;

@@ -20,7 +20,7 @@ struct Prepared : SceneStructures {
   bool onGpu = false;
 };
 
-/// The drivers that are compiled, in the order of RL_MODES.
+/// The drivers that are compiled; integratorMakers of render/integrators/modes.h makes them.
 enum class IntegratorKind : std::uint8_t { ray, path, sppm, aov };
 
 /// What makes the film that the settings ask for: the mode's driver, or aov for what the first hit alone shows.
