@@ -1,23 +1,32 @@
 #pragma once
-// `ropelight stress`: whether every traversal gives the right hit where tracers fail.
+// `ropelight stress`: the catalogue of hostile cases, each measured against an answer that is known.
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
-#include "render/integrators/integrator.h"
+#include "app/stress/cases/run.h"
+#include "app/stress/families/families.h"
 
 namespace ropelight {
 
 struct StressOptions {
+  std::vector<std::string> names;  ///< of cases or families; empty: all
   BackendChoice backend;
-  std::uint64_t rays = 200000;  ///< a mesh
   std::uint64_t seed = 1;
-  bool full = false;  ///< a mesh of a million triangles too
-  std::string mesh;   ///< an OBJ file to be added; empty: none
+  bool isShort = false;  ///< the cases that the tests run, with fewer samples
+  families::RayOptions rays;
+  bool list = false;  ///< print the catalogue instead
   std::string json;   ///< file for the figures, "-" for standard output; empty: none
+  std::string out;    ///< folder for stability.html and an SVG of every sweep; empty: none
 };
 
-/// Returns the exit code: 6 where a hit is wrong or a ray escapes from a closed mesh.
+/// Runs the cases one after the other; `begin` hears of each before it starts. Stops early, with what there is, where
+/// the user interrupts.
+StressRun runCases(std::vector<StressFamily> families, const StressOptions& options,
+                   const std::function<void(const StressCase&)>& begin = {});
+
+/// Returns the exit code: 6 where a case does not hold.
 int runStress(const StressOptions& options);
 
 }  // namespace ropelight

@@ -74,6 +74,16 @@ std::vector<FlatTriangle> grain() {
   return out;
 }
 
+/// Thin triangles that all share one vertex.
+std::vector<FlatTriangle> fan(Random& random) {
+  std::vector<FlatTriangle> out;
+  for (int i = 0; i < 100000; ++i) {
+    Vec3d const a = random.inBox(1);
+    out.push_back({Vec3d(0.1, 0.2, 0.3), a, a + random.inBox(0.01)});
+  }
+  return out;
+}
+
 std::vector<FlatTriangle> moved(std::vector<FlatTriangle> triangles, double scale, Vec3d by) {
   for (FlatTriangle& t : triangles)
     for (Vec3d* v : {&t.a, &t.b, &t.c}) *v = Vec3d(cpu::Vec3(*v * scale + by));
@@ -104,7 +114,8 @@ std::vector<StressMesh> stressMeshes(bool large) {
                                  {"degenerate", degenerate(random), 0},
                                  {"flat", flat(), 0},
                                  {"grain in a hall", grain(), 0},
-                                 {"coincident", coincident(random), 0}};
+                                 {"coincident", coincident(random), 0},
+                                 {"fan", fan(random), 0}};
   if (!large) return meshes;
   std::vector<FlatTriangle> million = bumpySphere(1001, 501);
   normalise(million);

@@ -53,19 +53,20 @@ std::vector<DeviceInfo> listDevices() {
 }
 
 ChosenBackend chooseBackend(const BackendChoice& choice) {
-  if (choice.backend == BackendKind::cpu) return {false, 0, "CPU, as asked for"};
+  if (choice.backend == BackendKind::cpu) return {false, false, 0, "CPU, as asked for"};
+  if (choice.backend == BackendKind::cpu64) return {false, true, 0, "CPU in double precision, as asked for"};
   std::vector<DeviceInfo> const gpus = cudaDevices();
   std::string problem = "this build has no CUDA; configure with a CUDA toolkit of version 12 or newer";
   if (ROPELIGHT_CUDA) problem = "no NVIDIA GPU was found";
   for (const DeviceInfo& d : gpus) {
     bool const wanted = choice.gpu < 0 || d.index == choice.gpu;
-    if (d.usable && wanted) return {true, d.index, fmt::format("GPU {}: {}", d.index, d.name)};
+    if (d.usable && wanted) return {true, false, d.index, fmt::format("GPU {}: {}", d.index, d.name)};
     if (!d.usable && wanted) problem = d.note;
   }
   if (!gpus.empty() && gpus.front().usable && choice.gpu >= int(gpus.size()))
     problem = fmt::format("--gpu {}: there are {} GPUs, numbered from 0", choice.gpu, gpus.size());
   if (choice.backend == BackendKind::cuda) throw Error(fmt::format("--backend cuda: {}", problem), ExitCode::noDevice);
-  return {false, 0, fmt::format("CPU: {}", problem)};
+  return {false, false, 0, fmt::format("CPU: {}", problem)};
 }
 
 }  // namespace ropelight

@@ -10,7 +10,7 @@
 namespace ropelight {
 
 /// What computes.
-enum class BackendKind : std::uint8_t { automatic, cuda, cpu };
+enum class BackendKind : std::uint8_t { automatic, cuda, cpu, cpu64 };
 
 template <>
 struct ChoicesOf<BackendKind> {
@@ -18,6 +18,7 @@ struct ChoicesOf<BackendKind> {
       {BackendKind::automatic, "auto", "the first usable GPU, else the CPU"},
       {BackendKind::cuda, "cuda", "an NVIDIA GPU"},
       {BackendKind::cpu, "cpu", "the CPU"},
+      {BackendKind::cpu64, "cpu64", "the CPU in double precision, slower: to tell errors of floats from noise"},
   };
 };
 
@@ -51,6 +52,7 @@ std::uint64_t freeDeviceMemory(int gpu);
 
 struct ChosenBackend {
   bool cuda = false;
+  bool inDouble = false;  ///< on the CPU
   int gpu = 0;
   std::string why;  ///< one sentence: what was taken and why
 };

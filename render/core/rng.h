@@ -33,7 +33,7 @@ RL_HD inline std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b) { retur
 
 /// Uniform in [0, 1): never 1, whatever the rounding.
 RL_HD inline Real toUnit(std::uint32_t x) {
-  return sizeof(Real) == 4 ? Real(x >> 8) * Real(1.0 / 16777216.0) : Real(x) * Real(1.0 / 4294967296.0);
+  return Real(x >> 8) * Real(1.0 / 16777216.0);  // in double too: both precisions have the same numbers
 }
 
 }  // namespace ropelight::RL_TARGET

@@ -29,6 +29,7 @@ class IntegratorBase : public Integrator {
       std::uint64_t const batch = state_.committed == 0 ? 1 : std::min<std::uint64_t>(target - state_.committed, 16);
       for (std::uint64_t i = 0; i < batch; ++i) {
         frame_.iteration = std::uint32_t(state_.committed + i);
+        frame_.cameraSeed = cameraSeedOf(frame_.seed, state_.committed + i);
         iterate(state_.committed + i);
       }
       backend_.synchronize();

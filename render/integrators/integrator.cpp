@@ -14,6 +14,9 @@ namespace ropelight {
 namespace cpu {
 std::unique_ptr<Integrator> makePrepared(const Prepared& prepared);
 }
+namespace cpu64 {
+std::unique_ptr<Integrator> makePrepared(const Prepared& prepared);
+}
 namespace cuda {
 std::unique_ptr<Integrator> makePrepared(const Prepared& prepared);
 std::vector<KernelUse> allKernelUses();
@@ -30,7 +33,7 @@ std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& s
 #if ROPELIGHT_CUDA
   if (chosen.cuda) return cuda::makePrepared(prepared);
 #endif
-  return cpu::makePrepared(prepared);
+  return chosen.inDouble ? cpu64::makePrepared(prepared) : cpu::makePrepared(prepared);
 }
 
 std::vector<KernelUse> kernelUses(const BackendChoice& choice) {

@@ -8,6 +8,11 @@
 
 namespace ropelight::RL_TARGET {
 
+/// The seed of camera paths: beyond 2³² iterations their numbers must not begin again.
+constexpr std::uint64_t cameraSeedOf(std::uint64_t seed, std::uint64_t iteration) {
+  return seed ^ ((iteration >> 32) * 0x9E3779B97F4A7C15ull);
+}
+
 struct FrameView {
   SceneView scene;
   CameraView camera;
@@ -15,8 +20,9 @@ struct FrameView {
   int sampler = 0;
   int maxDepth = 0;  ///< edges of a whole path
   std::uint64_t seed = 0;
-  std::uint32_t iteration = 0;  ///< from 0
-  bool shadowRays = true;       ///< direct light by shadow rays; else by photons
+  std::uint64_t cameraSeed = 0;  ///< another one every 2³² iterations
+  std::uint32_t iteration = 0;   ///< from 0, modulo 2³²
+  bool shadowRays = true;        ///< direct light by shadow rays; else by photons
   bool indirectOnly = false;
   bool dark = false;  ///< camera paths carry no light: something else is wanted of their ends
 
@@ -33,7 +39,7 @@ struct FrameView {
   }
 
   RL_HD Sampler cameraSampler(int x, int y) const {
-    return Sampler(sampler, seed, Stream::camera, std::uint32_t(y * width + x), iteration);
+    return Sampler(sampler, cameraSeed, Stream::camera, std::uint32_t(y * width + x), iteration);
   }
 
   RL_HD Sampler photonSampler(std::uint64_t path) const {
@@ -49,7 +55,13 @@ struct FrameView {
   }
 };
 
-/// Survival probability of Russian roulette: lossless bounces (light caught inside glass) end too, after many.
-RL_HD inline Real rouletteSurvival(Real kept, int edges) { return minOf(kept, edges > 64 ? Real(0.95) : Real(1)); }
+/// Survival probability of Russian roulette that keeps a path's weight: what the bounce has kept. Lossless bounces end
+/// too, in the end: light caught inside glass after some 64, light in white rooms after some 1024. The cap approaches 1
+/// so fast that paths of length n have weights of O(n²) and O(n): the variance stays finite at every albedo below 1,
+/// which no constant cap below albedo² would leave it.
+RL_HD inline Real rouletteSurvival(Real kept, int edges, bool specular) {
+  int const start = specular ? 64 : 1024;
+  return edges > start ? minOf(kept, 1 - Real(specular ? 2 : 1) / Real(edges)) : minOf(kept, Real(1));
+}
 
 }  // namespace ropelight::RL_TARGET

@@ -41,7 +41,7 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
       }
       BsdfSample const b = bsdf.sample(wo, u.x, direction, Transport::flux);
       Rgb const next = flux * b.weight;
-      Real const survival = rouletteSurvival(Real(maxComponent(next) / maxComponent(flux)), edges);
+      Real const survival = rouletteSurvival(Real(maxComponent(next) / maxComponent(flux)), edges, b.specular());
       goesOn = survival > u.y;
       flux = survival < 1 ? next * float(1 / survival) : next;
       flight = depart<F>(frame.scene, s, normalize(local.toWorld(b.wi)));

@@ -9,6 +9,9 @@
 
 namespace ropelight {
 
+/// A path of this many edges is ended and counted as truncated even where max-depth is unlimited.
+inline constexpr int hardDepthLimit = 65536;
+
 struct Settings {
   Mode mode = Mode::sppm;
   Aov aov = Aov::radiance;
@@ -57,7 +60,7 @@ struct Settings {
     v("max-depth", maxDepth,
       I{.doc = "edges of a path; 0: unlimited",
         .min = 0,
-        .max = 1024,
+        .max = hardDepthLimit,
         .group = "Mode",
         .high = 32,
         .zero = "unlimited"});
@@ -155,8 +158,5 @@ struct Settings {
         .zero = "from the scene"});
   }
 };
-
-/// A path of this many edges is ended and counted as truncated even where max-depth is unlimited.
-inline constexpr int hardDepthLimit = 1024;
 
 }  // namespace ropelight

@@ -20,17 +20,11 @@ MaterialDesc material(const oracle::Shape& s) {
   return DielectricParams{float(g.ior), rgb(g.reflectance), rgb(g.transmittance)};
 }
 
-ShapeDesc& addMesh(Scene& scene, const oracle::Triangle& t, int material) {
+ShapeDesc& addTriangle(Scene& scene, const oracle::Triangle& t, int material) {
   Mesh mesh;
   mesh.positions = {vec(t.a), vec(t.b), vec(t.c)};
   mesh.triangles = {{0, 1, 2}};
-  scene.meshes.push_back(mesh);
-  ShapeDesc shape;
-  shape.kind = ShapeKind::mesh;
-  shape.material = material;
-  shape.mesh = int(scene.meshes.size()) - 1;
-  scene.shapes.push_back(shape);
-  return scene.shapes.back();
+  return addMesh(scene, std::move(mesh), material);
 }
 
 ShapeDesc& addShape(Scene& scene, const oracle::Shape& s, int material) {
@@ -38,20 +32,7 @@ ShapeDesc& addShape(Scene& scene, const oracle::Shape& s, int material) {
     return addSphere(scene, vec(ball->center), ball->radius, material);
   if (auto const* quad = std::get_if<oracle::Parallelogram>(&s.geometry))
     return addQuad(scene, vec(quad->corner), vec(quad->edge1), vec(quad->edge2), material);
-  return addMesh(scene, std::get<oracle::Triangle>(s.geometry), material);
-}
-
-ShapeDesc& add(Scene& scene, ShapeKind kind, const Mat4d& toWorld, int material) {
-  ShapeDesc shape;
-  shape.kind = kind;
-  shape.toWorld = toWorld;
-  shape.material = material;
-  scene.shapes.push_back(shape);
-  return scene.shapes.back();
-}
-
-Mat4d columns(Vec3d x, Vec3d y, Vec3d z, Vec3d origin) {
-  return Mat4d(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(origin, 1));
+  return addTriangle(scene, std::get<oracle::Triangle>(s.geometry), material);
 }
 
 }  // namespace
@@ -72,37 +53,6 @@ Scene fromOracle(const oracle::Scene& from) {
     shape.emission = Emission{radiance, side};
   }
   return scene;
-}
-
-Scene emptyScene(float albedo) {
-  Scene scene;
-  addMaterial(scene, DiffuseParams{Rgb(albedo)});
-  return scene;
-}
-
-int addMaterial(Scene& scene, const MaterialDesc& desc) {
-  scene.materials.push_back({"material " + std::to_string(scene.materials.size()), desc});
-  return int(scene.materials.size()) - 1;
-}
-
-ShapeDesc& addQuad(Scene& scene, Vec3d corner, Vec3d edge1, Vec3d edge2, int material) {
-  return add(scene, ShapeKind::quad, columns(edge1, edge2, glm::normalize(glm::cross(edge1, edge2)), corner), material);
-}
-
-ShapeDesc& addSphere(Scene& scene, Vec3d center, double radius, int material) {
-  return add(scene, ShapeKind::sphere, columns({radius, 0, 0}, {0, radius, 0}, {0, 0, radius}, center), material);
-}
-
-ShapeDesc& addBox(Scene& scene, Vec3d min, Vec3d max, int material) {
-  Vec3d const h = 0.5 * (max - min);
-  return add(scene, ShapeKind::box, columns({h.x, 0, 0}, {0, h.y, 0}, {0, 0, h.z}, 0.5 * (min + max)), material);
-}
-
-void lookAt(Scene& scene, Vec3d position, Vec3d target, Vec3d up, double verticalFov) {
-  scene.camera.position = position;
-  scene.camera.target = target;
-  scene.camera.up = up;
-  scene.camera.verticalFov = verticalFov;
 }
 
 Settings settingsFor(Mode mode, int width, int height) {

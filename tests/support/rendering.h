@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "measure/scenes/scene_kit.h"
 #include "render/integrators/integrator.h"
 #include "tests/oracle/oracle.h"
 
@@ -13,13 +14,12 @@ namespace ropelight::testing {
 /// The same scene in the renderer's terms.
 Scene fromOracle(const oracle::Scene& scene);
 
-/// A scene of one material 'white' of this albedo and a camera; shapes are added by the functions below.
-Scene emptyScene(float albedo);
-int addMaterial(Scene& scene, const MaterialDesc& desc);
-ShapeDesc& addQuad(Scene& scene, Vec3d corner, Vec3d edge1, Vec3d edge2, int material = 0);
-ShapeDesc& addSphere(Scene& scene, Vec3d center, double radius, int material = 0);
-ShapeDesc& addBox(Scene& scene, Vec3d min, Vec3d max, int material = 0);
-void lookAt(Scene& scene, Vec3d position, Vec3d target, Vec3d up, double verticalFov);
+using ropelight::addBox;
+using ropelight::addMaterial;
+using ropelight::addQuad;
+using ropelight::addSphere;
+using ropelight::emptyScene;
+using ropelight::lookAt;
 
 Settings settingsFor(Mode mode, int width, int height);
 

@@ -1,0 +1,92 @@
+// Floats against the same renderer in double precision, with the same random numbers.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/stress/families/families.h"
+#include "measure/scenes/scene_kit.h"
+
+namespace ropelight::families {
+namespace {
+
+BackendChoice inDouble(const Probe& probe) {
+  if (probe.backend().backend == BackendKind::cpu64) throw LeftOut{"this backend is the twin itself"};
+  return {BackendKind::cpu64, -1, probe.backend().threads, false};
+}
+
+Image renderTwin(Probe& probe, const Scene& scene, const Settings& settings, int iterations) {
+  probe.tick();
+  auto const integrator = makeIntegrator(scene, settings, inDouble(probe));
+  integrator->advance(iterations);
+  return integrator->film();
+}
+
+struct Setting {
+  const char* name;
+  Scene scene;
+  Settings settings;
+};
+
+/// Scenes in which no float decides between light and darkness but at edges.
+std::vector<Setting> settings() {
+  std::vector<Setting> out;
+  for (Mode mode : {Mode::ray, Mode::path, Mode::sppm}) {
+    const char* const name = mode == Mode::ray ? "ray" : (mode == Mode::path ? "path" : "sppm");
+    Settings s = probeSettings(mode, 64, 16384);
+    s.radius = 0.1;
+    s.maxDepth = 6;  // a path that has met an edge differently is another path: few bounces keep such paths few
+    out.push_back({name, mixedRoom(), s});
+  }
+  return out;
+}
+
+std::vector<Measurement> oneIteration(Probe& probe) {
+  std::vector<Measurement> out;
+  for (const Setting& s : settings()) {
+    Image const floats = probe.render(s.scene, s.settings, 1).image,
+                doubles = renderTwin(probe, s.scene, s.settings, 1);
+    double far = 0, worst = 0;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < floats.pixels.size(); ++i) {
+      double const a = double(mean(floats.pixels[i])), b = double(mean(doubles.pixels[i]));
+      double const relative = std::abs(a - b) / std::max(std::abs(b), 1e-6);
+      far += relative > 1e-3;
+      if (relative > worst) worst = relative, at = i;
+    }
+    auto const width = std::size_t(floats.width);
+    out.push_back({fmt::format("{}, worst pixel ({}, {}): {:.2g}", s.name, at % width, at / width, worst), 0,
+                   far / double(floats.pixels.size()), 0, 0, 0.01});
+  }
+  return out;
+}
+
+std::vector<Measurement> manyIterations(Probe& probe) {
+  std::vector<Measurement> out;
+  int const iterations = probe.choose(16, 64), seeds = 8;
+  for (const Setting& s : settings()) {
+    std::vector<Image> const floats = probe.seeds(s.scene, s.settings, iterations, seeds);
+    std::vector<Image> doubles;
+    Settings twin = s.settings;
+    for (int i = 0; i < seeds; ++i) {
+      twin.seed = probe.seed() + std::uint64_t(i);
+      doubles.push_back(renderTwin(probe, s.scene, twin, iterations));
+    }
+    // The same numbers: what is left is far below the noise, which the standard errors hold.
+    out.push_back({s.name, 0, largestZ(floats, doubles, 8, 1e-4), 0, 0, 3});
+  }
+  return out;
+}
+
+}  // namespace
+
+StressFamily twin() {
+  return {"twin",
+          "floats against double precision, with the same random numbers",
+          {{"one iteration", "a float that decides another way at an edge", "", "share of pixels more than 1e-3 apart",
+            "the renderer in double precision", "1%", true, oneIteration},
+           {"many iterations", "a bias of rounding that noise hides", "", "largest |z| of the tiles",
+            "the renderer in double precision, same seeds", "3 standard errors", true, manyIterations}}};
+}
+
+}  // namespace ropelight::families
