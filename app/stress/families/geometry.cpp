@@ -49,7 +49,7 @@ std::vector<Measurement> underWall(Probe& probe) {
     settings.radius = radius;
     settings.alpha = 1;
     settings.direct = DirectLight::photons;
-    Estimate const e = probe.estimate(scene, settings, probe.choose(4, 32), 8, meanOfAll);
+    Estimate const e = probe.estimate(scene, settings, probe.choose(16, 64), 8, meanOfAll);
     // Radiance 2 from all sides in the bright room makes 1 of albedo 0.5 on a whole disc.
     double const expected = integrate([&](double u) {
       double const d = std::min((0.4 * u + thickness) / radius, 1.0);

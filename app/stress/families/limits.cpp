@@ -21,8 +21,8 @@ std::vector<Measurement> filmSizes(Probe& probe) {
       Settings settings = probeSettings(mode, 1, 4096);
       settings.width = width;
       settings.height = height;
-      settings.radius = 0.3;
-      int const iterations = width * double(height) < 100 ? 1024 : 2;
+      settings.radius = 0.1;
+      int const iterations = width * double(height) < 100 ? 1024 : 1;
       Estimate const e = probe.estimate(sphereFurnace(Rgb(0.5f), 1), settings, iterations,
                                         width > 16 && height > 16 ? 2 : 8, meanOfAll);
       out.push_back({fmt::format("{} x {}, {}", width, height, mode == Mode::path ? "path" : "sppm"),
@@ -38,8 +38,8 @@ std::vector<Measurement> fields(Probe& probe) {
       Scene scene = sphereFurnace(Rgb(0.5f), 1);
       scene.camera.verticalFov = fov;
       Settings settings = probeSettings(mode, 16, 8192);
-      settings.radius = 0.3;
-      Estimate const e = probe.estimate(scene, settings, 64, 8, meanOfAll);
+      settings.radius = 0.1;
+      Estimate const e = probe.estimate(scene, settings, probe.choose(32, 64), 8, meanOfAll);
       out.push_back({mode == Mode::path ? "path" : "sppm", fov, e.mean / 2, e.error / 2, 1, 0.01});
     }
   return out;
