@@ -84,7 +84,8 @@ void printNotes(const Stats& stats) {
 /// What makes the image wrong is reported even with --quiet.
 void printWarnings(const Stats& stats) {
   if (stats.nonFinite > 0)
-    printError("warning: {} samples were NaN or infinite and were left out of the image", stats.nonFinite);
+    printError("warning: {} samples were NaN or infinite and were left out of the image ({})", stats.nonFinite,
+               nonFiniteStages(stats));
   if (stats.truncatedPaths > 0)
     printError("warning: {} paths were cut at {} edges; their light is missing", stats.truncatedPaths, hardDepthLimit);
 }

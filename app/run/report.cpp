@@ -42,6 +42,7 @@ nlohmann::ordered_json toJson(const Stats& s) {
       {"photonPaths", s.photonPaths},
       {"photonsStored", s.photonsStored},
       {"nonFinite", s.nonFinite},
+      {"nonFiniteBy", s.nonFiniteBy},
       {"regrown", s.regrown},
       {"chunks", s.chunks},
       {"truncatedPaths", s.truncatedPaths},

@@ -11,8 +11,9 @@
 namespace ropelight {
 
 std::vector<StressFamily> stressCatalogue(const families::RayOptions& rays) {
-  return {families::transport(), families::dielectrics(), families::scale(), families::geometry(), families::photons(),
-          families::length(),    families::limits(),      families::twin(),  families::rays(rays)};
+  return {families::transport(), families::dielectrics(), families::scale(),  families::geometry(),
+          families::photons(),   families::length(),      families::limits(), families::files(),
+          families::twin(),      families::rays(rays)};
 }
 
 namespace {

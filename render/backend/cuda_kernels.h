@@ -28,6 +28,8 @@ __device__ inline void addToTotals(TallyTotals* totals, const Tally& t) {
   add(&totals->shadowRays, t.shadowRays);
   add(&totals->nonFinite, t.nonFinite);
   add(&totals->truncated, t.truncated);
+  add(&totals->nonFinitePaths, t.nonFinitePaths);
+  add(&totals->nonFinitePhotons, t.nonFinitePhotons);
 }
 
 inline constexpr int stageThreads = 128;  ///< of a block

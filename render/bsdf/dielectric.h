@@ -32,12 +32,17 @@ namespace ropelight::RL_TARGET {
 /// Fresnel reflectance of a smooth interface for unpolarised light (Born & Wolf, Principles of Optics, §1.5.2).
 /// cosI ≥ 0 on the side of incidence; eta = η_t/η_i. Writes cos θ_t ≥ 0, or 0 under total internal reflection.
 RL_HD inline Real fresnelDielectric(Real cosI, Real eta, Real& cosT) {
-  Real const sin2T = (1 - cosI * cosI) / (eta * eta);
+  Real sin2T = (1 - cosI * cosI) / (eta * eta);
+  if (faulty(Fault::totalReflection)) sin2T = minOf(sin2T, Real(0.999));
   if (sin2T >= 1) {
     cosT = 0;
     return 1;
   }
   cosT = sqrt(1 - sin2T);
+  if (faulty(Fault::reflectance)) {
+    Real const r = (1 - eta) / (1 + eta), c = 1 - (eta < 1 ? cosT : cosI);
+    return r * r + (1 - r * r) * c * c * c * c * c;
+  }
   Real const parallel = (eta * cosI - cosT) / (eta * cosI + cosT);
   Real const perpendicular = (cosI - eta * cosT) / (cosI + eta * cosT);
   return (parallel * parallel + perpendicular * perpendicular) / 2;

@@ -27,7 +27,34 @@
 #define RL_DEVICE_CODE 0
 #endif
 
+namespace ropelight {
+
+/// Faults that a test puts into a copy of the kernels of its own (tests/stress), to see that the catalogue of hostile
+/// cases finds them. Everywhere else faulty() is false at compile time and nothing is left of it.
+enum class Fault {
+  none,
+  roulette,         ///< a constant cap on survival: infinite variance near albedo 1
+  depthLimit,       ///< paths end after 256 edges
+  rayOrigin,        ///< rays start on the surface that they leave
+  segmentEnd,       ///< shadow rays too
+  reflectance,      ///< Schlick's approximation for Fresnel's formula
+  totalReflection,  ///< no total internal reflection
+  otherSide,        ///< photons count on both sides of a wall
+  discHeight,       ///< discs are cylinders without ends
+  chunkNumbers,     ///< every pass of an iteration traces the same photons
+  lampCone,         ///< 1 − cos of a lamp's cone as written, which cancels where the lamp is small
+};
+
+}  // namespace ropelight
+
 namespace ropelight::RL_TARGET {
+
+#if defined(RL_FAULTS)
+extern Fault presentFault;
+inline bool faulty(Fault fault) { return presentFault == fault; }
+#else
+RL_HD constexpr bool faulty(Fault) { return false; }
+#endif
 
 #if defined(ROPELIGHT_DOUBLE) && !defined(__CUDACC__)
 using Real = double;

@@ -34,6 +34,7 @@ RL_HD inline Vec3 moveAlong(Vec3 p, Vec3 n, Real distance) {
 /// Moves a computed surface point off its surface to the side of w, past the bound on its error (pbrt-3, §3.9.5).
 /// p, error in scene units; n unit length.
 RL_HD inline Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 n, Vec3 w) {
+  if (faulty(Fault::rayOrigin)) return p;
   Real const distance = dot(absolute(n), error);
   return moveAlong(p, n, dot(w, n) < 0 ? -distance : distance);
 }
@@ -41,6 +42,7 @@ RL_HD inline Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 n, Vec3 w) {
 /// The same for an end of a segment whose other end is at p + w: by no more than 0.4 of the way along the normal, so
 /// that the two ends never pass each other.
 RL_HD inline Vec3 offsetSegmentEnd(Vec3 p, Vec3 error, Vec3 n, Vec3 w) {
+  if (faulty(Fault::segmentEnd)) return p;
   Real const along = dot(w, n), distance = minOf(dot(absolute(n), error), Real(0.4) * abs(along));
   return moveAlong(p, n, along < 0 ? -distance : distance);
 }

@@ -111,7 +111,12 @@ class IntegratorBase : public Integrator {
     s.seconds = seconds_;
     s.rays = t.rays;
     s.shadowRays = t.shadowRays;
-    s.nonFinite = t.nonFinite;
+    s.nonFinite = t.nonFinite + t.nonFinitePhotons;
+    const char* const paths = prepared_.settings.mode == Mode::path ? "TracePath" : "TraceCamera";
+    for (auto const& [stage, count] : {std::pair{paths, t.nonFinitePaths},
+                                       {"TracePhotons", t.nonFinitePhotons},
+                                       {"gather", t.nonFinite - t.nonFinitePaths}})
+      if (count > 0) s.nonFiniteBy[stage] = count;
     s.truncatedPaths = t.truncated;
     s.photonsStored = state_.stored;
     s.regrown = regrown_;

@@ -36,6 +36,13 @@ std::unique_ptr<Integrator> makeIntegrator(const Scene& scene, const Settings& s
   return chosen.inDouble ? cpu64::makePrepared(prepared) : cpu::makePrepared(prepared);
 }
 
+std::string nonFiniteStages(const Stats& stats) {
+  std::string text;
+  for (auto const& [stage, count] : stats.nonFiniteBy)
+    text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", count, stage);
+  return text;
+}
+
 std::vector<KernelUse> kernelUses(const BackendChoice& choice) {
   if (!chooseBackend(choice).cuda) return {};
 #if ROPELIGHT_CUDA

@@ -25,16 +25,17 @@ struct Stats {
   std::uint64_t shadowRays = 0;   ///< any-hit rays
   std::uint64_t photonPaths = 0;  ///< emitted
   std::uint64_t photonsStored = 0;
-  std::uint64_t nonFinite = 0;       ///< samples that were NaN or infinite and left out
-  std::uint64_t truncatedPaths = 0;  ///< cut at the hard depth limit
-  std::uint64_t regrown = 0;         ///< iterations traced again after the photon storage had grown
-  std::uint64_t chunks = 1;          ///< parts that one iteration's photons are traced in
-  double firstRadius = 0;            ///< scene units; 0 without photons
-  double radius = 0;                 ///< of the latest iteration
-  Settings settings;                 ///< resolved: no automatic value is left
-  std::vector<std::string> advice;   ///< settings that make no sense for the scene, a sentence each
-  std::string accel;                 ///< what rays go through
-  std::uint64_t treeNodes = 0;       ///< of the kd-tree or the BVHs; 0 without one
+  std::uint64_t nonFinite = 0;                       ///< samples and photons that were NaN or infinite and left out
+  std::map<std::string, std::uint64_t> nonFiniteBy;  ///< the same by the stage that brought them
+  std::uint64_t truncatedPaths = 0;                  ///< cut at the hard depth limit
+  std::uint64_t regrown = 0;                         ///< iterations traced again after the photon storage had grown
+  std::uint64_t chunks = 1;                          ///< parts that one iteration's photons are traced in
+  double firstRadius = 0;                            ///< scene units; 0 without photons
+  double radius = 0;                                 ///< of the latest iteration
+  Settings settings;                                 ///< resolved: no automatic value is left
+  std::vector<std::string> advice;                   ///< settings that make no sense for the scene, a sentence each
+  std::string accel;                                 ///< what rays go through
+  std::uint64_t treeNodes = 0;                       ///< of the kd-tree or the BVHs; 0 without one
   std::uint64_t treeLeaves = 0;
   int treeDepth = 0;
   double treeSeconds = 0;  ///< to build it
@@ -46,6 +47,9 @@ struct Stats {
   std::map<std::string, std::uint64_t> launches;  ///< stage name → times launched since reset
   std::map<std::string, double> stageSeconds;     ///< stage name → seconds, where measured
 };
+
+/// "3 of TracePhotons, 1 of gather": where samples and photons came from that were not finite.
+std::string nonFiniteStages(const Stats& stats);
 
 struct KdTree;
 

@@ -109,8 +109,9 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     for (std::uint32_t chunk = 0; chunk < plan.chunks; ++chunk) {
       std::uint64_t const first = std::uint64_t(chunk) * plan.paths;
       std::uint32_t const count = std::uint32_t(std::min<std::uint64_t>(plan.paths, s.photons - first));
-      map_.build(this->backend_, this->row_, this->frame_, this->stateBuffer_, i * s.photons + first, count,
-                 Real(s.photons), *this->prepared_.flat, radius * Real(s.cellSize));
+      map_.build(this->backend_, this->row_, this->frame_, this->stateBuffer_,
+                 i * s.photons + (faulty(Fault::chunkNumbers) ? 0 : first), count, Real(s.photons),
+                 *this->prepared_.flat, radius * Real(s.cellSize));
       gather(radius);
     }
   }

@@ -60,6 +60,8 @@ struct FrameView {
 /// so fast that paths of length n have weights of O(n²) and O(n): the variance stays finite at every albedo below 1,
 /// which no constant cap below albedo² would leave it.
 RL_HD inline Real rouletteSurvival(Real kept, int edges, bool specular) {
+  if (faulty(Fault::roulette)) return minOf(kept, edges > 64 ? Real(0.95) : Real(1));
+  if (faulty(Fault::depthLimit) && edges >= 256) return 0;
   int const start = specular ? 64 : 1024;
   return edges > start ? minOf(kept, 1 - Real(specular ? 2 : 1) / Real(edges)) : minOf(kept, Real(1));
 }

@@ -30,7 +30,7 @@ struct GatherView {
     Real const height = mulAdd(d.z, g.n.z, mulAdd(d.y, g.n.y, d.x * g.n.x));
     Real const inPlane = mulAdd(-height, height, mulAdd(d.z, d.z, mulAdd(d.y, d.y, d.x * d.x)));
     distance2 = maxOf(inPlane, Real(0));
-    return (inPlane <= radius * radius) & (abs(height) <= discThickness * radius);
+    return (inPlane <= radius * radius) & ((abs(height) <= discThickness * radius) | faulty(Fault::discHeight));
   }
 
   /// Calls take(k, squared distance, power) for every photon k that counts at a squared distance of up to `most`, and
@@ -53,6 +53,7 @@ struct GatherView {
 
  private:
   RL_HD static bool sameSurface(const GatherPoint& g, const PhotonPosition& photon) {
+    if (faulty(Fault::otherSide)) return true;
     if (photon.normal == g.packedNormal) return true;  // the usual case, without decoding
     Vec3 const n = unpackOctahedron(photon.normal);
     Real const cosine = dot(n, g.n);

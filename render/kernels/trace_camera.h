@@ -53,6 +53,7 @@ struct TraceCamera : TraceCameraArgs {
       arrived = trace(Flight{ray, Hit{}}, sampler, slot, chain, tally);
     }
     radiance[slot] = chain.sum;
+    if (!isFinite(Vec3(chain.sum))) ++tally.nonFinitePaths;
     if (!arrived && !points.empty()) points[slot] = GatherPoint{};
   }
 

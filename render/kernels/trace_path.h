@@ -26,7 +26,9 @@ struct TracePath : TracePathArgs {
     if (!frame.pixelOf(slot, x, y)) return;
     Sampler sampler = frame.cameraSampler(x, y);
     Ray const ray = frame.cameraRay<F>(x, y, sampler);
-    radiance[slot] = trace(Flight{ray, Hit{}}, sampler, tally);
+    Rgb const sum = trace(Flight{ray, Hit{}}, sampler, tally);
+    radiance[slot] = sum;
+    if (!isFinite(Vec3(sum))) ++tally.nonFinitePaths;
   }
 
  private:

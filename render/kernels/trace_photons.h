@@ -26,6 +26,10 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
     ++tally.rays;
     Surface s;
     if (!meet<F>(frame.scene, flight, s)) return count;
+    if (!isFinite(s.p + Vec3(flux))) {  // it would be in no cell, and poison a disc
+      ++tally.nonFinitePhotons;
+      return count;
+    }
     Vec2 const direction = sampler.next2(), u = sampler.next2();
     bool goesOn = false;
     bsdfAt<F>(frame.scene, s, [&](const auto& bsdf) {

@@ -102,7 +102,7 @@ struct SphereLight {
   /// 1 − cos of the half-angle under which the unit sphere is seen from a distance of at least 1.
   RL_HD static Real coneHeight(Real distance2) {
     Real const sin2 = minOf(1 / distance2, Real(1));
-    return sin2 / (1 + sqrt(1 - sin2));
+    return faulty(Fault::lampCone) ? 1 - sqrt(1 - sin2) : sin2 / (1 + sqrt(1 - sin2));
   }
 
   RL_HD static Real objectPdf(Real distance2, bool inside) {

@@ -24,11 +24,15 @@ std::vector<Estimate> tileEstimates(const std::vector<Image>& images, int tile) 
 
 }  // namespace
 
+std::unique_ptr<Integrator> Probe::make(const Scene& scene, const Settings& settings) const {
+  return maker_ ? maker_(scene, settings, backend_) : makeIntegrator(scene, settings, backend_);
+}
+
 bool Probe::isGpu() const { return chooseBackend(backend_).cuda; }
 
 Rendered Probe::render(const Scene& scene, const Settings& settings, int iterations) {
   tick();
-  auto const integrator = makeIntegrator(scene, settings, backend_);
+  auto const integrator = make(scene, settings);
   integrator->advance(iterations);
   Rendered out{integrator->film(), integrator->stats()};
   nonFinite_ += out.stats.nonFinite;

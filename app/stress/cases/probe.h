@@ -30,6 +30,11 @@ class Probe {
   Probe(const BackendChoice& backend, std::uint64_t seed, bool isShort, std::function<void()> tick)
       : backend_(backend), seed_(seed), short_(isShort), tick_(std::move(tick)) {}
 
+  /// What makes integrators; makeIntegrator unless a test has others.
+  using Maker = std::function<std::unique_ptr<Integrator>(const Scene&, const Settings&, const BackendChoice&)>;
+  void useMaker(Maker maker) { maker_ = std::move(maker); }
+  std::unique_ptr<Integrator> make(const Scene& scene, const Settings& settings) const;
+
   const BackendChoice& backend() const { return backend_; }
   bool isGpu() const;
   bool isShort() const { return short_; }
@@ -52,6 +57,7 @@ class Probe {
   std::uint64_t seed_;
   bool short_;
   std::function<void()> tick_;
+  Maker maker_;
   std::uint64_t nonFinite_ = 0;
 };
 

@@ -18,6 +18,7 @@ StressFamily scale();                          ///< size and place of the scene
 StressFamily geometry();                       ///< degenerate, thin, touching and enclosing surfaces
 StressFamily photons();                        ///< radii, counts and memory of the photon map
 StressFamily length();                         ///< long runs and large counters
+StressFamily files();                          ///< files as programs write them
 StressFamily twin();                           ///< floats against double precision
 StressFamily limits();                         ///< of film and camera
 

@@ -123,6 +123,72 @@ std::vector<Measurement> degenerateMesh(Probe& probe) {
   return out;
 }
 
+/// A closed room in which everything has the albedo 0.5 and emits 0.5, or absorbs nothing: every ray brings 1, whoever
+/// stands in whose place.
+std::vector<Measurement> samePlace(Probe& probe) {
+  std::vector<Measurement> out;
+  auto const measure = [&](const char* what, Scene& scene) {
+    lookAt(scene, {0.3, 0.1, 0.9}, {0, -0.5, 0}, {0, 1, 0}, 60);
+    for (Mode mode : {Mode::path, Mode::sppm}) {
+      Settings settings = probeSettings(mode, 32, 16384);
+      settings.radius = 0.02;
+      Estimate const e = probe.estimate(scene, settings, probe.choose(16, 64), 8, meanOfAll);
+      out.push_back({fmt::format("{}, {}", what, nameOf(mode)), 0, e.mean, e.error, 1, 0.01});
+    }
+  };
+  Emission const half{Rgb(0.5f), Side::both};
+  Scene onFloor = boxFurnace(Rgb(0.5f), 0.5f);
+  int const glass = addMaterial(onFloor, DielectricParams{1.5f, Rgb(1), Rgb(1)});
+  addBox(onFloor, {-0.4, -1, -0.4}, {0.4, -0.2, 0.4}, glass);
+  measure("glass on a floor", onFloor);
+  Scene crossing = boxFurnace(Rgb(0.5f), 0.5f);
+  addBox(crossing, {-0.4, -1.1, -0.4}, {0.4, -0.2, 0.4}).emission = half;
+  addBox(crossing, {-0.6, -0.9, -0.1}, {0.6, -0.4, 0.2}).emission = half;
+  addSphere(crossing, {0.1, -0.3, 0}, 0.3).emission = half;
+  measure("interpenetrating", crossing);
+  Scene twice = boxFurnace(Rgb(0.5f), 0.5f);
+  for (int i = 0; i < 3; ++i) addQuad(twice, {-0.5, -0.6, 0.5}, {1, 0, 0}, {0, 0, -1}).emission = half;
+  addQuad(twice, {-0.7, -1, 0.7}, {1, 0, 0}, {0, 0, -1}).emission = half;
+  measure("copies and coplanar", twice);
+  return out;
+}
+
+/// A lamp in the plane of a black ceiling, listed before it or after: the irradiance below its middle.
+std::vector<Measurement> lampInPlane(Probe& probe) {
+  std::vector<Measurement> out;
+  double const half = 0.25;
+  double const irradiance = integrate(
+      [&](double u) {
+        return integrate(
+            [&](double v) {
+              double const x = (2 * u - 1) * half, y = (2 * v - 1) * half, d2 = 1 + x * x + y * y;
+              return 4 * half * half / (d2 * d2);
+            },
+            200);
+      },
+      200);
+  double const expected = 0.5 / std::numbers::pi * irradiance;
+  for (bool lampFirst : {true, false}) {
+    Scene scene = emptyScene(0.5f);
+    int const black = addMaterial(scene, DiffuseParams{Rgb(0)});
+    addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
+    auto const lamp = [&] {
+      addQuad(scene, {-half, 1, -half}, {2 * half, 0, 0}, {0, 0, 2 * half}, black).emission =
+          Emission{Rgb(1), Side::out};
+    };
+    if (lampFirst) lamp();
+    addQuad(scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, black);
+    if (!lampFirst) lamp();
+    lookAt(scene, {0, 0.5, 0.5}, {0, 0, 0}, {0, 1, 0}, 0.5);
+    for (Mode mode : {Mode::path, Mode::sppm}) {
+      Estimate const e = probe.estimate(scene, probeSettings(mode, 8, 16), 128, 8, meanOfAll);
+      out.push_back({fmt::format("lamp listed {}, {}", lampFirst ? "first" : "last", nameOf(mode)), 0,
+                     e.mean / expected, e.error / expected, 1, 0.01});
+    }
+  }
+  return out;
+}
+
 /// Furnaces inside spheres of every size.
 std::vector<Measurement> sphereSizes(Probe& probe) {
   std::vector<Measurement> out;
@@ -195,6 +261,10 @@ StressFamily geometry() {
             "1 and the mean share of a disc on its wall", "0.01", true, edges},
            {"degenerate mesh", "copies, points and segments among the triangles", "", "largest |z| of the tiles",
             "the mesh without them, other seeds", "6 standard errors", true, degenerateMesh},
+           {"same place", "glass on a floor, copies, coplanar and interpenetrating surfaces", "", "radiance",
+            "1: everything emits 1 - albedo, or absorbs nothing", "1%", true, samePlace},
+           {"lamp in a plane", "a lamp in the plane of a ceiling, listed first or last", "", "radiance / closed form",
+            "irradiance by quadrature", "1%", true, lampInPlane},
            {"sphere sizes", "rooms of 1e-6 and 1e6", "radius", "radiance / closed form", "1/(1 - albedo)", "0.5%", true,
             sphereSizes},
            {"camera places", "on a surface, inside glass, inside a light", "", "radiance / closed form",

@@ -21,7 +21,7 @@ std::vector<Measurement> longRun(Probe& probe) {
     settings.alpha = 1;
     settings.direct = DirectLight::photons;
     double const expected = mode == Mode::sppm ? 1 + discGain(0.3) : 2;
-    auto const integrator = makeIntegrator(sphereFurnace(Rgb(0.5f), 1), settings, probe.backend());
+    auto const integrator = probe.make(sphereFurnace(Rgb(0.5f), 1), settings);
     for (int done = 0; done < most;) {
       int const next = done == 0 ? most / 100 : most - done;
       for (int i = 0; i < next; i += 1000) {

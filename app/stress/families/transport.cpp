@@ -29,6 +29,24 @@ std::vector<Measurement> furnaces(Probe& probe) {
   return out;
 }
 
+/// The same with a ball of glass in it, through which paths are refracted both ways: it absorbs nothing.
+std::vector<Measurement> furnaceWithGlass(Probe& probe) {
+  std::vector<Measurement> out;
+  for (float albedo : {0.5f, 0.9f, 0.99f}) {
+    if (probe.isShort() && albedo > 0.9f) continue;
+    double const expected = 1 / (1 - double(albedo));
+    Scene scene = sphereFurnace(Rgb(albedo), 1);
+    addSphere(scene, {-0.2, 0.1, -0.4}, 0.3, addMaterial(scene, DielectricParams{1.5f, Rgb(1), Rgb(1)}));
+    for (Mode mode : {Mode::path, Mode::sppm}) {
+      Settings settings = probeSettings(mode, 16, 1024);
+      settings.radius = 0.1;
+      Estimate const e = probe.estimate(scene, settings, probe.choose(128, 256), 8, meanOfAll);
+      out.push_back({nameOfMode(mode), expected, e.mean / expected, e.error / expected, 1, 0.01});
+    }
+  }
+  return out;
+}
+
 /// Every channel's own series, since roulette looks at the brightest alone.
 std::vector<Measurement> colouredFurnace(Probe& probe) {
   std::vector<Measurement> out;
@@ -235,6 +253,8 @@ StressFamily transport() {
           "light that bounces often, comes from small or hidden places, or differs by many powers of ten",
           {{"furnace", "a closed room whose paths have up to thousands of bounces", "mean bounces 1/(1 - albedo)",
             "radiance / closed form", "1/(1 - albedo)", "1%: roulette and depth limits must not bias", true, furnaces},
+           {"furnace with glass", "the same with refraction both ways in it", "mean bounces 1/(1 - albedo)",
+            "radiance / closed form", "1/(1 - albedo): glass absorbs nothing", "1%", true, furnaceWithGlass},
            {"coloured furnace", "roulette looks at the brightest channel alone", "channel", "radiance / closed form",
             "1/(1 - albedo) of each channel", "1%", true, colouredFurnace},
            {"coloured product", "ten bounces leave 1e-8 of one channel", "what is left of the channel",

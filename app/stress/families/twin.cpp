@@ -78,6 +78,27 @@ std::vector<Measurement> manyIterations(Probe& probe) {
   return out;
 }
 
+/// The GPU against the CPU: nvcc fuses products and sums, and nothing else may differ.
+std::vector<Measurement> otherBackend(Probe& probe) {
+  if (!probe.isGpu()) throw LeftOut{"this is the CPU: run it with --backend cuda"};
+  std::vector<Measurement> out;
+  int const iterations = probe.choose(16, 64), seeds = 8;
+  for (const Setting& s : settings()) {
+    std::vector<Image> const here = probe.seeds(s.scene, s.settings, iterations, seeds);
+    std::vector<Image> there;
+    Settings other = s.settings;
+    for (int i = 0; i < seeds; ++i) {
+      probe.tick();
+      other.seed = probe.seed() + std::uint64_t(i);
+      auto const integrator = makeIntegrator(s.scene, other, {BackendKind::cpu, -1, probe.backend().threads, false});
+      integrator->advance(iterations);
+      there.push_back(integrator->film());
+    }
+    out.push_back({s.name, 0, largestZ(here, there, 8, 1e-4), 0, 0, 3});
+  }
+  return out;
+}
+
 }  // namespace
 
 StressFamily twin() {
@@ -86,7 +107,9 @@ StressFamily twin() {
           {{"one iteration", "a float that decides another way at an edge", "", "share of pixels more than 1e-3 apart",
             "the renderer in double precision", "1%", true, oneIteration},
            {"many iterations", "a bias of rounding that noise hides", "", "largest |z| of the tiles",
-            "the renderer in double precision, same seeds", "3 standard errors", true, manyIterations}}};
+            "the renderer in double precision, same seeds", "3 standard errors", true, manyIterations},
+           {"other backend", "a GPU fuses products and sums", "", "largest |z| of the tiles", "the CPU, same seeds",
+            "3 standard errors", true, otherBackend}}};
 }
 
 }  // namespace ropelight::families

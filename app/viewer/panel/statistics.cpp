@@ -42,7 +42,8 @@ void drawRates(const Stats& stats) {
 void drawWarnings(const Stats& stats) {
   for (const std::string& advice : stats.advice) problemText(advice);
   if (stats.nonFinite > 0)
-    problemText(fmt::format("{} samples were NaN or infinite and left out", stats.nonFinite));
+    problemText(
+        fmt::format("{} samples were NaN or infinite and left out: {}", stats.nonFinite, nonFiniteStages(stats)));
   else
     valueRow("non-finite", "none", "samples that were NaN or infinite and left out");
   if (stats.truncatedPaths > 0)
