@@ -1,7 +1,9 @@
 // The catalogue's bounds are tight enough to find the faults that they are there for: each is put into the kernels, and
-// its case must fail; without it the same case holds.
+// its case must fail. Without a fault the same copy of the kernels holds; that the program's does is in stress_test.cpp.
 
 #include <doctest/doctest.h>
+
+#include <string>
 
 #include "app/stress/catalogue.h"
 #include "tests/stress/faulty_integrators.h"
@@ -45,13 +47,14 @@ CaseResult run(const StressCase& c, Fault fault) {
 
 TEST_SUITE("slow") {
   TEST_CASE("stress finds each of ten faults") {
+    CHECK(run(chooseCases(stressCatalogue(), {"thin wall"}, true)[0].cases[0], Fault::none).verdict() == Holds::yes);
     for (const Mutation& m : mutations) {
-      CAPTURE(m.what);
+      std::string const what = m.what;
+      CAPTURE(what);
       std::vector<StressFamily> const chosen = chooseCases(stressCatalogue(), {m.caseName}, true);
       REQUIRE(chosen.size() == 1);
       const StressCase& c = chosen[0].cases[0];
       CHECK(run(c, m.fault).verdict() == Holds::no);
-      CHECK(run(c, Fault::none).verdict() == Holds::yes);
     }
   }
 }
