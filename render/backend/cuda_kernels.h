@@ -26,6 +26,7 @@ __device__ inline void addToTotals(TallyTotals* totals, const Tally& t) {
   };
   add(&totals->rays, t.rays);
   add(&totals->shadowRays, t.shadowRays);
+  if (!__any_sync(0xFFFFFFFFu, t.nonFinite | t.truncated | t.nonFinitePaths | t.nonFinitePhotons)) return;  // the rule
   add(&totals->nonFinite, t.nonFinite);
   add(&totals->truncated, t.truncated);
   add(&totals->nonFinitePaths, t.nonFinitePaths);

@@ -8,8 +8,9 @@
 
 namespace ropelight::RL_TARGET {
 
-/// kind: index in Bsdfs. lobes: what a BSDF of this material may scatter anywhere, of namespace lobe.
-struct Material {
+/// kind: index in Bsdfs. lobes: what a BSDF of this material may scatter anywhere, of namespace lobe. Aligned so that a
+/// GPU reads the constants in words of 16 bytes.
+struct alignas(16) Material {
   std::uint16_t kind = 0;
   std::uint16_t lobes = 0;
   float constants[11] = {};  ///< the BSDF's own

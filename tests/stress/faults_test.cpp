@@ -21,11 +21,11 @@ struct Mutation {
 
 constexpr Mutation mutations[] = {
     {Fault::roulette, "a constant cap of roulette", "furnace"},
-    {Fault::depthLimit, "paths end after 256 edges", "furnace"},
+    {Fault::depthLimit, "paths end after 256 edges", "facing mirrors"},
     {Fault::rayOrigin, "rays start on the surface", "sphere sizes"},
-    {Fault::segmentEnd, "shadow rays start on the surface", "grazing light"},
-    {Fault::reflectance, "Schlick for Fresnel", "pane"},
-    {Fault::totalReflection, "no total reflection", "light pipe"},
+    {Fault::segmentEnd, "shadow rays start on the surface", "same place"},
+    {Fault::reflectance, "Schlick for Fresnel", "grazing pane"},
+    {Fault::totalReflection, "no total reflection", "critical angle"},
     {Fault::otherSide, "photons count through a wall", "thin wall"},
     {Fault::discHeight, "discs without ends", "radii"},
     {Fault::chunkNumbers, "every pass has the same photons", "memory"},
