@@ -38,7 +38,8 @@ std::vector<Measurement> pane(Probe& probe) {
     for (Mode mode : {Mode::path, Mode::sppm}) {
       Settings settings = probeSettings(mode, 16, 16384);
       settings.radius = 0.1;
-      Estimate const e = probe.estimate(scene, settings, mode == Mode::path ? 512 : 64, 8, meanOfAll);
+      Estimate const e =
+          probe.estimate(scene, settings, probe.choose(1, 2) * (mode == Mode::path ? 256 : 16), 8, meanOfAll);
       out.push_back({mode == Mode::path ? "path" : "sppm", index, e.mean / expected, e.error / expected, 1, 0.01});
     }
   }

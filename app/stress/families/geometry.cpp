@@ -72,7 +72,7 @@ std::vector<Measurement> edges(Probe& probe) {
     settings.radius = radius;
     settings.alpha = 1;
     settings.direct = DirectLight::photons;
-    Estimate const e = probe.estimate(scene, settings, probe.choose(8, 32), 8, meanOfAll);
+    Estimate const e = probe.estimate(scene, settings, probe.choose(4, 32), 8, meanOfAll);
     // Mean over a square of side 2 of the disc's share inside: 1 − 4r/(πL)·… by quadrature, corners included.
     int const steps = 200, rings = 200;
     double inside = 0;

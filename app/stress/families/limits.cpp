@@ -19,7 +19,7 @@ std::vector<Measurement> filmSizes(Probe& probe) {
     for (Mode mode : {Mode::path, Mode::sppm}) {
       if (mode == Mode::sppm && double(width) * height > 1e7) continue;  // the film is what is tested
       bool const small = double(width) * height < 100;
-      Settings settings = probeSettings(mode, 1, small ? 4096 : 65536);
+      Settings settings = probeSettings(mode, 1, small ? 4096 : std::uint64_t(probe.choose(16384, 65536)));
       settings.width = width;
       settings.height = height;
       settings.radius = small ? 0.1 : 0.3;

@@ -102,7 +102,7 @@ std::vector<Measurement> cells(Probe& probe) {
 /// One photon an iteration, and as many as there are bits for.
 std::vector<Measurement> counts(Probe& probe) {
   std::vector<Measurement> out;
-  out.push_back(furnace(probe, "sppm", 1, furnaceSettings(1, 1), probe.choose(8192, 32768), 0.03));
+  out.push_back(furnace(probe, "sppm", 1, furnaceSettings(1, 1), probe.choose(4096, 32768), 0.03));
   out.push_back(furnace(probe, "sppm", 100, furnaceSettings(0.5, 100), 1024, 0.02));
   if (probe.isGpu() && !probe.isShort())
     out.push_back(furnace(probe, "sppm", 1e8, furnaceSettings(0.03, 100000000), 1));
@@ -116,7 +116,7 @@ std::vector<Measurement> fewerThanK(Probe& probe) {
     Settings settings = furnaceSettings(1, photons);
     settings.gather = GatherBy::nearest;
     settings.nearest = 128;
-    out.push_back(furnace(probe, "sppm, k = 128", double(photons), settings, probe.choose(2048, 8192), 0.03));
+    out.push_back(furnace(probe, "sppm, k = 128", double(photons), settings, probe.choose(1024, 8192), 0.03));
   }
   return out;
 }

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t batchSize = 1u << 16;
 constexpr std::uint32_t bruteLimit = 20000;  // with up to so many triangles brute force is the reference
+constexpr double fewTests = 4e8;             // likewise
 constexpr std::int64_t fewUlp = 4;
 constexpr double mostDoubtful = 1e-5;  // share of rays, beyond three
 
@@ -97,7 +98,10 @@ class MeshCheck {
   DeviceInfo device() const { return stream_->device(); }
 
  private:
-  bool byBruteForce() const { return mesh_.triangles.size() <= bruteLimit; }
+  bool byBruteForce() const {
+    double const tests = double(mesh_.triangles.size()) * double(options_.rays);
+    return mesh_.triangles.size() <= bruteLimit || tests <= fewTests;
+  }
 
   /// As many as brute force answers in seconds.
   std::size_t bruteRays() const {

@@ -22,7 +22,7 @@ std::vector<Measurement> furnaces(Probe& probe) {
       Scene const scene = sphereFurnace(Rgb(albedo), 1);
       Settings settings = probeSettings(mode, 16, 1024);
       settings.radius = 0.1;
-      int const iterations = std::max(8, int(640 / std::sqrt(expected)));
+      int const iterations = std::max(8, int(probe.choose(320, 640) / std::sqrt(expected)));
       Estimate const e = probe.estimate(scene, settings, iterations, 8, meanOfAll);
       out.push_back({nameOfMode(mode), expected, e.mean / expected, e.error / expected, 1, 0.01});
     }
@@ -57,8 +57,8 @@ std::vector<Measurement> colouredFurnace(Probe& probe) {
     settings.radius = 0.1;
     for (int c = 0; c < 3; ++c) {
       double const expected = 1 / (1 - double(albedo[c]));
-      Estimate const e =
-          probe.estimate(scene, settings, 64, 8, [&](const Image& image) { return meanOfChannel(image, c); });
+      Estimate const e = probe.estimate(scene, settings, probe.choose(32, 64), 8,
+                                        [&](const Image& image) { return meanOfChannel(image, c); });
       out.push_back({fmt::format("{}, channel {}", nameOfMode(mode), c), double(c), e.mean / expected,
                      e.error / expected, 1, 0.01});
     }
@@ -128,7 +128,7 @@ std::vector<Measurement> lightPipe(Probe& probe) {
     addQuad(scene, {length + 1, -50, -50}, {0, 0, 100}, {0, 100, 0}).emission = Emission{Rgb(1), Side::both};
     lookAt(scene, {-1, 1.03, 0.01}, {0, 0.03, 0.01}, {0, 0, 1}, 0.5);
     for (Mode mode : {Mode::path, Mode::sppm}) {
-      Estimate const e = probe.estimate(scene, probeSettings(mode, 8, 1), 512, 16, meanOfAll);
+      Estimate const e = probe.estimate(scene, probeSettings(mode, 8, 1), 512, probe.choose(8, 16), meanOfAll);
       out.push_back({nameOfMode(mode), bounces, e.mean / expected, e.error / expected, 1, 0.02});
     }
   }
@@ -240,7 +240,8 @@ std::vector<Measurement> behindGlass(Probe& probe) {
   for (Mode mode : {Mode::path, Mode::sppm}) {
     Settings settings = probeSettings(mode, 16, 16384);
     settings.radius = 0.1;
-    Estimate const e = probe.estimate(scene, settings, mode == Mode::path ? 512 : 64, 8, meanOfAll);
+    Estimate const e =
+        probe.estimate(scene, settings, probe.choose(1, 2) * (mode == Mode::path ? 256 : 16), 8, meanOfAll);
     out.push_back({nameOfMode(mode), 4, e.mean / expected, e.error / expected, 1, 0.01});
   }
   return out;
