@@ -1,5 +1,6 @@
 // The catalogue's bounds are tight enough to find the faults that they are there for: each is put into the kernels, and
-// its case must fail. Without a fault the same copy of the kernels holds; that the program's does is in stress_test.cpp.
+// its case must fail. Without a fault the same copy of the kernels holds; that the program's does is in
+// stress_test.cpp.
 
 #include <doctest/doctest.h>
 
