@@ -22,6 +22,16 @@ std::vector<Estimate> tileEstimates(const std::vector<Image>& images, int tile) 
   return out;
 }
 
+/// The same samples over 16 times as many pixels, so that all cores have work: a tiny image is one task. Where photons
+/// cost more than pixels do, it stays.
+void spreadOverPixels(Settings& settings, int& iterations) {
+  bool const pixelsCost = settings.mode != Mode::sppm || settings.photons <= 16;
+  if (!pixelsCost || iterations < 16 || settings.width > 16 || settings.height > 16) return;
+  settings.width *= 4;
+  settings.height *= 4;
+  iterations /= 16;
+}
+
 }  // namespace
 
 std::unique_ptr<Integrator> Probe::make(const Scene& scene, const Settings& settings) const {
@@ -48,8 +58,9 @@ std::vector<Image> Probe::seeds(const Scene& scene, Settings settings, int itera
   return images;
 }
 
-Estimate Probe::estimate(const Scene& scene, const Settings& settings, int iterations, int count,
+Estimate Probe::estimate(const Scene& scene, Settings settings, int iterations, int count,
                          const std::function<double(const Image&)>& quantity) {
+  spreadOverPixels(settings, iterations);
   std::vector<double> values;
   for (const Image& image : seeds(scene, settings, iterations, count)) values.push_back(quantity(image));
   return estimateOf(values);

@@ -46,8 +46,9 @@ class Probe {
 
   Rendered render(const Scene& scene, const Settings& settings, int iterations);
   std::vector<Image> seeds(const Scene& scene, Settings settings, int iterations, int count);
-  /// Of quantity(image) over `count` seeds.
-  Estimate estimate(const Scene& scene, const Settings& settings, int iterations, int count,
+  /// Of quantity(image) over `count` seeds. quantity: a mean over pixels, whose number may be raised while that of the
+  /// iterations falls.
+  Estimate estimate(const Scene& scene, Settings settings, int iterations, int count,
                     const std::function<double(const Image&)>& quantity);
 
   std::uint64_t nonFinite() const { return nonFinite_; }
