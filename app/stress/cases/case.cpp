@@ -12,7 +12,13 @@ namespace ropelight {
 double Measurement::error() const { return std::abs(value - expected); }
 
 bool Measurement::holds() const {
-  return std::isfinite(value) && std::isfinite(noise) && noise <= bound && error() <= bound + 4 * noise;
+  return std::isfinite(value) && std::isfinite(noise) && error() <= bound + 4 * noise && noise <= bound;
+}
+
+const char* Measurement::verdict() const {
+  if (!std::isfinite(value) || !std::isfinite(noise)) return "not finite";
+  if (error() > bound + 4 * noise) return "FAILS";
+  return noise <= bound ? "holds" : "too noisy";
 }
 
 Holds CaseResult::verdict() const {

@@ -21,6 +21,8 @@ struct Measurement {
   double error() const;  ///< |value − expected|
   /// Within the bound, and with noise below it, so that no case passes by being too noisy to fail.
   bool holds() const;
+  /// "holds", "FAILS", "too noisy" or "not finite"
+  const char* verdict() const;
 };
 
 enum class Holds : std::uint8_t { yes, no, leftOut };

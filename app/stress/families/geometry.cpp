@@ -242,7 +242,7 @@ std::vector<Measurement> grazing(Probe& probe) {
     lookAt(scene, {0, 0.5, 0}, {0, 0, 0}, {0, 0, 1}, 0.01 * rest > 0.001 ? 0.01 * rest : 0.001);
     for (Mode mode : {Mode::path, Mode::sppm}) {
       Estimate const e = probe.estimate(scene, probeSettings(mode, 8, 16), 256, 8, meanOfAll);
-      out.push_back({nameOf(mode), rest, e.mean / expected, e.error / expected, 1, 0.01});
+      out.push_back({nameOf(mode), rest, e.mean / expected, e.error / expected, 1, 0.001});
     }
   }
   return out;
@@ -270,7 +270,7 @@ StressFamily geometry() {
            {"camera places", "on a surface, inside glass, inside a light", "", "radiance / closed form",
             "1/(1 - albedo), n^2, the light's radiance", "1%", true, cameraPlaces},
            {"grazing light", "a lamp 0.001 degrees above the horizon", "degrees above the horizon",
-            "radiance / closed form", "albedo L sin^2 cos", "1%", true, grazing}}};
+            "radiance / closed form", "albedo L sin^2 cos", "0.1%", true, grazing}}};
 }
 
 }  // namespace ropelight::families

@@ -150,7 +150,7 @@ std::vector<Measurement> smallLight(Probe& probe) {
     for (Mode mode : {Mode::path, Mode::sppm}) {
       Settings settings = probeSettings(mode, 8, 16);
       Estimate const e = probe.estimate(scene, settings, 256, 8, meanOfAll);
-      out.push_back({nameOfMode(mode), r, e.mean / expected, e.error / expected, 1, 0.005});
+      out.push_back({nameOfMode(mode), r, e.mean / expected, e.error / expected, 1, 0.001});
     }
     if (probe.isShort()) continue;
     Settings byPhotons = probeSettings(Mode::sppm, 8, 65536);
@@ -269,7 +269,7 @@ StressFamily transport() {
             "radiance / closed form", "(1 - R)/(1 + R) of the two ends", "2%: none may be lost on the way", true,
             lightPipe},
            {"small light", "a lamp 1e-6 of its distance", "radius / distance", "radiance / closed form",
-            "albedo L sin^2", "0.5%; 1.2% by photons, whose disc is 0.1 wide", true, smallLight},
+            "albedo L sin^2", "0.1%; 1.2% by photons, whose disc is 0.1 wide", true, smallLight},
            {"pinhole", "a room lit through a hole", "side of the hole / distance", "radiance / closed form",
             "the hole's irradiance by quadrature", "1%", true, pinhole},
            {"radiance ratio", "a light 1e12 times as bright as the other", "ratio", "radiance / closed form",

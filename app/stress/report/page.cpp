@@ -37,7 +37,7 @@ std::string measurementTable(const StressCase& c, const CaseResult& result) {
                           {fmt::format("{:.2g}", m.noise)},
                           {fmt::format("{:.6g}", m.expected)},
                           {fmt::format("{:.2g}", m.bound)},
-                          {m.holds() ? "holds" : "fails", !m.holds()}});
+                          {m.verdict(), !m.holds()}});
   return "<div class=\"scroll\">" + toHtml(table) + "</div>\n";
 }
 

@@ -62,8 +62,7 @@ void printTable(const StressRun& run) {
     fmt::print("  {:<9}{:<22}{:>7}  {}\n", verdictName(result), result.name, formatDuration(result.seconds), what);
     if (result.verdict() != Holds::no) continue;
     if (result.nonFinite > 0) fmt::print("           {} samples were not finite\n", result.nonFinite);
-    for (const Measurement& m : result.measurements)
-      fmt::print("           {} {}\n", m.holds() ? "holds" : "FAILS", line(c, m));
+    for (const Measurement& m : result.measurements) fmt::print("           {:<10} {}\n", m.verdict(), line(c, m));
   }
   fmt::print("\n{}, on {} ({}), seed {}, in {}\n", summary(run), run.device, run.backend, run.seed,
              formatDuration(run.seconds));
