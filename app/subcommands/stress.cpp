@@ -12,7 +12,9 @@ void declare(CLI::App& app, StressOptions& o) {
   app.add_flag("--short", o.isShort, "the part that the tests run, with fewer samples");
   addValue(app, "--seed", o.seed, ParamInfo{"random seed", 0, 4294967295.0});
   addFile(app, "--json", o.json, jsonDoc);
-  app.add_option("--out", o.out, "folder for stability.html and an SVG of every sweep")->type_name("FOLDER")->take_last();
+  app.add_option("--out", o.out, "folder for stability.html and an SVG of every sweep")
+      ->type_name("FOLDER")
+      ->take_last();
   addValue(app, "--rays", o.rays.rays, ParamInfo{"of family 'rays': rays for every mesh and traversal", 1, 1e12});
   app.add_flag("--full", o.rays.full, "of family 'rays': a mesh of a million triangles too");
   addFile(app, "--mesh", o.rays.mesh, "of family 'rays': OBJ file to be checked too");

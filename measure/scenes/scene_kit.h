@@ -18,8 +18,9 @@ void lookAt(Scene& scene, Vec3d position, Vec3d target, Vec3d up, double vertica
 /// brings emitted/(1 − albedo) in every channel. The camera is inside, off the centre.
 Scene sphereFurnace(Rgb albedo, double radius, float emitted = 1);
 
-/// How much more irradiance a gather disc of radius r finds on the inside of a unit sphere of uniform flux than there is:
-/// the sphere's area within the disc's cylinder, whose height is ±0.2 r and whose normals lie within acos 0.1, over πr².
+/// How much more irradiance a gather disc of radius r finds on the inside of a unit sphere of uniform flux than there
+/// is: the sphere's area within the disc's cylinder, whose height is ±0.2 r and whose normals lie within acos 0.1, over
+/// πr².
 double discGain(double r);
 
 /// The same in the box [−1, 1]³.

@@ -36,9 +36,8 @@ struct PhotonPlan {
 /// Deposits of a path, and those beyond the stripe, that the first plan has room for.
 inline constexpr double expectedPerPath = 2.5, expectedTail = 0.1;
 
-/// The largest plan for `photons` paths that stays within `budget` bytes, in as many chunks as it takes; one of 1024 paths is not
-/// divided further.
-/// perPath: expected deposits of a path; tail: expected share of them beyond the stripe.
+/// The largest plan for `photons` paths that stays within `budget` bytes, in as many chunks as it takes; one of 1024
+/// paths is not divided further. perPath: expected deposits of a path; tail: expected share of them beyond the stripe.
 inline PhotonPlan planPhotons(std::uint64_t photons, std::uint64_t budget, double perPath, double tailPerPath) {
   PhotonPlan plan;
   for (std::uint64_t chunks = 1;; chunks *= 2) {

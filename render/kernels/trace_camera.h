@@ -148,7 +148,8 @@ struct TraceCamera : TraceCameraArgs {
     BsdfSample const b = bsdf.sample(local.toLocal(back), u.x, Vec2(0), Transport::radiance);
     chain.throughput *= b.weight;
     chain.radianceScale *= b.radianceScale;
-    Real const survival = rouletteSurvival(Real(maxComponent(chain.throughput)) / chain.radianceScale, chain.edges, true);
+    Real const survival =
+        rouletteSurvival(Real(maxComponent(chain.throughput)) / chain.radianceScale, chain.edges, true);
     if (chain.edges > 8 && survival < 1) {
       if (u.y >= survival) return false;
       chain.throughput *= float(1 / survival);

@@ -111,7 +111,8 @@ struct TracePath : TracePathArgs {
     state.pdf = b.specular() ? Real(0) : b.pdf;
     state.from = s.p;
     if (edges > 3) {
-      Real const survival = rouletteSurvival(Real(maxComponent(state.throughput)) / state.radianceScale, edges, b.specular());
+      Real const survival =
+          rouletteSurvival(Real(maxComponent(state.throughput)) / state.radianceScale, edges, b.specular());
       if (!(u.y < survival)) return false;
       state.throughput *= float(1 / survival);
     }

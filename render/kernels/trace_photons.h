@@ -26,7 +26,8 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
     ++tally.rays;
     Surface s;
     if (!meet<F>(frame.scene, flight, s)) return count;
-    if (!isFinite(s.p.x + s.p.y + s.p.z + Real(flux.x + flux.y + flux.z))) {  // it would be in no cell, and poison a disc
+    if (!isFinite(s.p.x + s.p.y + s.p.z +
+                  Real(flux.x + flux.y + flux.z))) {  // it would be in no cell, and poison a disc
       ++tally.nonFinitePhotons;
       return count;
     }

@@ -90,9 +90,10 @@ void validatePlacement(const Scene& scene, const ShapeDesc& shape, const std::st
                      condition, maxCondition));
   if (shape.kind == ShapeKind::sphere && condition > maxSphereCondition)
     fail(scene, place,
-         fmt::format("the ellipsoid is {:.3g} times as long as thin, and beyond {:g} single precision loses its surface; "
-                     "use a mesh, or make its radii more alike",
-                     condition, maxSphereCondition));
+         fmt::format(
+             "the ellipsoid is {:.3g} times as long as thin, and beyond {:g} single precision loses its surface; "
+             "use a mesh, or make its radii more alike",
+             condition, maxSphereCondition));
   Bounds const local = localBounds(shape, scene);
   Bounds world;
   for (int i = 0; i < 8; ++i) {

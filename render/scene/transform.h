@@ -24,7 +24,8 @@ Vec3d transformVector(const Mat4d& m, Vec3d v);
 
 /// Larger condition numbers than this leave single precision no digits to work with.
 inline constexpr double maxCondition = 1e7;
-/// The same for spheres: hits on an ellipsoid leave its surface by 3·10⁻⁶ of its length here, by 5·10⁻⁴ at ten times it.
+/// The same for spheres: hits on an ellipsoid leave its surface by 3·10⁻⁶ of its length here, by 5·10⁻⁴ at ten times
+/// it.
 inline constexpr double maxSphereCondition = 1e4 * (1 + 1e-9);
 
 }  // namespace ropelight

@@ -26,7 +26,7 @@ constexpr Mutation mutations[] = {
     {Fault::rayOrigin, "rays start on the surface", "sphere sizes"},
     {Fault::segmentEnd, "shadow rays start on the surface", "same place"},
     {Fault::reflectance, "Schlick for Fresnel", "grazing pane"},
-    {Fault::totalReflection, "no total reflection", "critical angle"},
+    {Fault::totalReflection, "no total reflection", "light pipe"},
     {Fault::otherSide, "photons count through a wall", "thin wall"},
     {Fault::discHeight, "discs without ends", "radii"},
     {Fault::chunkNumbers, "every pass has the same photons", "memory"},

@@ -256,7 +256,7 @@ StressFamily geometry() {
           {{"thin wall", "a wall 1e-5 thin between light and darkness", "thickness", "radiance behind it", "0",
             "0: nothing may leak", true, thinWall},
            {"under a wall", "gather discs that reach under a thin wall", "radius / half the room", "radiance / theory",
-            "the mean share of a disc beyond the wall: the estimator's limit", "2%", true, underWall},
+            "the mean share of a disc beyond the wall: the estimator's limit", "2%", false, underWall},
            {"edges", "gather discs that reach over edges", "radius / half the room", "radiance on the wall",
             "1 and the mean share of a disc on its wall", "0.01", true, edges},
            {"degenerate mesh", "copies, points and segments among the triangles", "", "largest |z| of the tiles",

@@ -74,7 +74,7 @@ StressFamily limits() {
   return {"limits",
           "of film and camera",
           {{"film sizes", "one pixel, one row, 16,384 squared on a GPU", "pixels", "radiance / closed form",
-            "1/(1 - albedo), with what discs gain on a sphere", "1%; sppm 2%", true, filmSizes},
+            "1/(1 - albedo), with what discs gain on a sphere", "1%; sppm 2%", false, filmSizes},
            {"fields of view", "0.001 and 179.9 degrees", "degrees", "radiance / closed form", "1/(1 - albedo)", "1%",
             true, fields},
            {"exposures", "100 stops up and down", "stops", "largest difference of bytes", "the bytes at exposure 0",

@@ -275,7 +275,7 @@ StressFamily transport() {
            {"radiance ratio", "a light 1e12 times as bright as the other", "ratio", "radiance / closed form",
             "albedo L sin^2 of the bright one", "1%: pixels that it lights are judged", true, radianceRatio},
            {"behind glass", "a lamp behind two panes, which no shadow ray sees through", "interfaces",
-            "radiance / closed form", "endless parallel planes, Fresnel by quadrature", "1%", true, behindGlass}}};
+            "radiance / closed form", "endless parallel planes, Fresnel by quadrature", "1%", false, behindGlass}}};
 }
 
 }  // namespace ropelight::families
