@@ -7,6 +7,7 @@
 
 #include "render/core/error.h"
 #include "render/scene/bounds.h"
+#include "render/scene/ellipsoid.h"
 #include "render/scene/transform.h"
 
 namespace ropelight {
@@ -88,12 +89,14 @@ void validatePlacement(const Scene& scene, const ShapeDesc& shape, const std::st
          fmt::format("the shape is flattened: its transform or edges are singular or nearly so "
                      "(condition {:.3g}, at most {:g}); make its dimensions more alike",
                      condition, maxCondition));
-  if (shape.kind == ShapeKind::sphere && condition > maxSphereCondition)
-    fail(scene, place,
-         fmt::format(
-             "the ellipsoid is {:.3g} times as long as thin, and beyond {:g} single precision loses its surface; "
-             "use a mesh, or make its radii more alike",
-             condition, maxSphereCondition));
+  if (shape.kind == ShapeKind::sphere) {
+    Vec3d const axes = singularValues(Mat3d(shape.toWorld));
+    if (!(axes.x <= maxSphereAspect * axes.z))
+      fail(scene, place,
+           fmt::format("the ellipsoid is {:.3g} times as long as thin, and beyond {:.0f} single precision loses its "
+                       "surface; use a mesh, or make its radii more alike",
+                       axes.x / axes.z, maxSphereAspect));
+  }
   Bounds const local = localBounds(shape, scene);
   Bounds world;
   for (int i = 0; i < 8; ++i) {

@@ -24,8 +24,8 @@ Vec3d transformVector(const Mat4d& m, Vec3d v);
 
 /// Larger condition numbers than this leave single precision no digits to work with.
 inline constexpr double maxCondition = 1e7;
-/// The same for spheres: hits on an ellipsoid leave its surface by 3·10⁻⁶ of its length here, by 5·10⁻⁴ at ten times
-/// it.
-inline constexpr double maxSphereCondition = 1e4 * (1 + 1e-9);
+/// The longest radius of an ellipsoid over the shortest: hits leave its surface by 3·10⁻⁶ of its length here, by 5·10⁻⁴
+/// at ten times it. With room for the rounding of a transform that says 10⁴.
+inline constexpr double maxSphereAspect = 1e4 * (1 + 1e-9);
 
 }  // namespace ropelight

@@ -1,5 +1,7 @@
 // Scenes that read well and still cannot be used.
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "tests/scenes/bad_scenes.h"
@@ -23,6 +25,17 @@ TEST_CASE("cameras without a direction are refused") {
   for (const char* up : {"[0, 0, 1]", "[0, 0, -7]", "[0, 1e-9, 1]"})
     CHECK(ofCamera(std::string(R"({"position": [0, 0, 5], "target": [0, 0, 0], "up": )") + up + "}") ==
           "s.json: /camera/up: up is parallel to the view direction; choose another up");
+}
+
+TEST_CASE("ellipsoids that single precision cannot hold are refused") {
+  auto const sphere = [](const char* thin) {
+    return ofShape(fmt::format(
+        R"({{"type": "sphere", "material": "white", "radius": 2, "transform": [{{"rotate": {{"axis": [1, 2, 3], "degrees": 40}}}}, {{"scale": [1, 1, {}]}}]}})",
+        thin));
+  };
+  CHECK(sphere("1e-4") == "no error");
+  CHECK(contains(sphere("0.99e-4"),
+                 "s.json: /shapes/0: the ellipsoid is 1.01e+04 times as long as thin, and beyond 10000"));
 }
 
 TEST_CASE("singular transforms are refused") {
