@@ -105,6 +105,20 @@ Scene mixedRoom() {
   return scene;
 }
 
+Scene mirrorCell(float albedo) {
+  Scene scene = emptyScene(albedo);
+  int const black = addMaterial(scene, DiffuseParams{Rgb(0)});
+  int const mirror = addMaterial(scene, MirrorParams{Rgb(1)});
+  addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
+  addQuad(scene, {-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, black).emission = Emission{Rgb(1), Side::out};
+  addQuad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, mirror);
+  addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 2, 0}, mirror);
+  addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {0, 2, 0}, mirror);
+  addQuad(scene, {1, 0, -1}, {0, 0, 2}, {0, 2, 0}, mirror);
+  lookAt(scene, {0, 0.8, 0.3}, {0, 0, 0}, {0, 1, 0}, 40);
+  return scene;
+}
+
 Mesh sphereMesh(int rings) {
   Mesh mesh;
   int const around = 2 * rings;

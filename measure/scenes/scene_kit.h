@@ -33,6 +33,10 @@ Scene whiteSurroundings(double halfSize = 4);
 /// A small room with everything in it: diffuse walls, a lamp, glass, a mirror, a mesh.
 Scene mixedRoom();
 
+/// A floor of this albedo under a black lamp of radiance 1, two units apart in a cell of perfect mirrors: endless
+/// planes.
+Scene mirrorCell(float albedo);
+
 /// A mesh of the unit sphere: `rings` from pole to pole, twice as many around; counter-clockwise from outside.
 Mesh sphereMesh(int rings);
 

@@ -13,18 +13,8 @@ DielectricParams glassOf(double index) { return DielectricParams{float(index), R
 
 /// A pane of glass between a lamp and a floor in a cell of perfect mirrors: endless planes.
 Scene paneOverFloor(double index, float albedo) {
-  Scene scene = emptyScene(albedo);
-  int const black = addMaterial(scene, DiffuseParams{Rgb(0)});
-  int const mirror = addMaterial(scene, MirrorParams{Rgb(1)});
-  int const glass = addMaterial(scene, glassOf(index));
-  addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
-  addQuad(scene, {-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, black).emission = Emission{Rgb(1), Side::out};
-  addQuad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, mirror);
-  addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 2, 0}, mirror);
-  addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {0, 2, 0}, mirror);
-  addQuad(scene, {1, 0, -1}, {0, 0, 2}, {0, 2, 0}, mirror);
-  addBox(scene, {-1.5, 1, -1.5}, {1.5, 1.2, 1.5}, glass);
-  lookAt(scene, {0, 0.8, 0.3}, {0, 0, 0}, {0, 1, 0}, 40);
+  Scene scene = mirrorCell(albedo);
+  addBox(scene, {-1.5, 1, -1.5}, {1.5, 1.2, 1.5}, addMaterial(scene, glassOf(index)));
   return scene;
 }
 

@@ -226,18 +226,9 @@ std::vector<Measurement> radianceRatio(Probe& probe) {
 std::vector<Measurement> behindGlass(Probe& probe) {
   double const albedo = 0.5, through = diffusePlateTransmittance(1.5, 4);
   double const expected = albedo * through / (1 - albedo * (1 - through));
-  Scene scene = emptyScene(float(albedo));
-  int const black = addMaterial(scene, DiffuseParams{Rgb(0)});
-  int const mirror = addMaterial(scene, MirrorParams{Rgb(1)});
+  Scene scene = mirrorCell(float(albedo));
   int const glass = addMaterial(scene, DielectricParams{1.5f, Rgb(1), Rgb(1)});
-  addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
-  addQuad(scene, {-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, black).emission = Emission{Rgb(1), Side::out};
-  addQuad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, mirror);
-  addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 2, 0}, mirror);
-  addQuad(scene, {-1, 0, -1}, {0, 0, 2}, {0, 2, 0}, mirror);
-  addQuad(scene, {1, 0, -1}, {0, 0, 2}, {0, 2, 0}, mirror);
   for (double y : {1.0, 1.4}) addBox(scene, {-1.5, y, -1.5}, {1.5, y + 0.1, 1.5}, glass);
-  lookAt(scene, {0, 0.8, 0.3}, {0, 0, 0}, {0, 1, 0}, 40);
   std::vector<Measurement> out;
   for (Mode mode : {Mode::path, Mode::sppm}) {
     Settings settings = probeSettings(mode, 16, 16384);
