@@ -49,10 +49,10 @@ Rendered Probe::render(const Scene& scene, const Settings& settings, int iterati
   return out;
 }
 
-std::vector<Image> Probe::seeds(const Scene& scene, Settings settings, int iterations, int count) {
+std::vector<Image> Probe::seeds(const Scene& scene, Settings settings, int iterations, int count, std::uint64_t first) {
   std::vector<Image> images;
   for (int i = 0; i < count; ++i) {
-    settings.seed = seed_ + std::uint64_t(i);
+    settings.seed = seed_ + first + std::uint64_t(i);
     images.push_back(render(scene, settings, iterations).image);
   }
   return images;

@@ -45,7 +45,8 @@ class Probe {
   int choose(int part, int whole) const { return short_ ? part : whole; }
 
   Rendered render(const Scene& scene, const Settings& settings, int iterations);
-  std::vector<Image> seeds(const Scene& scene, Settings settings, int iterations, int count);
+  /// `count` renderings that differ by seed alone; another `first` gives other ones.
+  std::vector<Image> seeds(const Scene& scene, Settings settings, int iterations, int count, std::uint64_t first = 0);
   /// Of quantity(image) over `count` seeds. quantity: a mean over pixels, whose number may be raised while that of the
   /// iterations falls.
   Estimate estimate(const Scene& scene, Settings settings, int iterations, int count,

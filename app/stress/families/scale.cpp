@@ -51,13 +51,7 @@ std::vector<Measurement> againstPlain(Probe& probe, const std::vector<std::pair<
   for (Mode mode : {Mode::path, Mode::sppm}) {
     std::vector<Image> const expected = probe.seeds(mixedRoom(), roomSettings(mode), probe.choose(4, 16), count);
     for (const auto& [parameter, scene] : others) {
-      Settings settings = roomSettings(mode);
-      settings.seed += 1000;
-      std::vector<Image> images;
-      for (int i = 0; i < count; ++i) {
-        settings.seed = probe.seed() + 1000 + std::uint64_t(i);
-        images.push_back(probe.render(scene, settings, probe.choose(4, 16)).image);
-      }
+      std::vector<Image> const images = probe.seeds(scene, roomSettings(mode), probe.choose(4, 16), count, 1000);
       // 48 tiles and channels of 12 + 12 renderings: a difference of 6 standard errors is not chance (t of 22 degrees).
       out.push_back({mode == Mode::path ? "path" : "sppm", parameter, largestZ(images, expected, 8, 1e-3), 0, 0, 6});
     }
@@ -97,12 +91,7 @@ std::vector<Measurement> farVertices(Probe& probe) {
     plain.camera = ropelight::moved(plain.camera, -center);
     for (Mode mode : {Mode::path, Mode::sppm}) {
       std::vector<Image> const expected = probe.seeds(plain, roomSettings(mode), 4, 12);
-      Settings settings = roomSettings(mode);
-      std::vector<Image> images;
-      for (int i = 0; i < 12; ++i) {
-        settings.seed = probe.seed() + 1000 + std::uint64_t(i);
-        images.push_back(probe.render(scene, settings, 4).image);
-      }
+      std::vector<Image> const images = probe.seeds(scene, roomSettings(mode), 4, 12, 1000);
       out.push_back({mode == Mode::path ? "path" : "sppm", distance, largestZ(images, expected, 8, 1e-3), 0, 0, 6});
     }
   }
