@@ -17,6 +17,9 @@ namespace {
   throw Error(fmt::format("{}: {}: {}", scene.file, place, problem));
 }
 
+// Measured on a room scaled by powers of ten: at 1e-10 squared distances underflow, at 1e13 the picture changes.
+constexpr double minSceneSize = 1e-9, maxSceneSize = 1e12;  // scene units
+
 bool within(double x, double low, double high) { return x >= low && x <= high; }  // false for NaN
 
 bool isPoint(Vec3d p) {
@@ -82,7 +85,8 @@ Bounds localBounds(const ShapeDesc& shape, const Scene& scene) {
   return bounds;
 }
 
-void validatePlacement(const Scene& scene, const ShapeDesc& shape, const std::string& place) {
+/// The shape's bounds in the world.
+Bounds validatePlacement(const Scene& scene, const ShapeDesc& shape, const std::string& place) {
   double const condition = conditionNumber(Mat3d(shape.toWorld));
   if (!(condition <= maxCondition))
     fail(scene, place,
@@ -107,9 +111,10 @@ void validatePlacement(const Scene& scene, const ShapeDesc& shape, const std::st
   Vec3d const extent = world.extent();
   if (std::max({extent.x, extent.y, extent.z}) < minExtent)
     fail(scene, place, "the shape is smaller than 1e-15 scene units; scale the scene up");
+  return world;
 }
 
-void validateShape(const Scene& scene, const ShapeDesc& shape, const std::string& place) {
+Bounds validateShape(const Scene& scene, const ShapeDesc& shape, const std::string& place) {
   bool const isMesh = shape.kind == ShapeKind::mesh;
   if (!within(shape.material, 0, double(scene.materials.size()) - 1)) fail(scene, place, "the shape has no material");
   if (isMesh && !within(shape.mesh, 0, double(scene.meshes.size()) - 1)) fail(scene, place, "the shape has no mesh");
@@ -119,7 +124,7 @@ void validateShape(const Scene& scene, const ShapeDesc& shape, const std::string
     for (int c = 0; c < 3; ++c)
       if (!within(shape.emission->radiance[c], 0, maxRadiance))
         fail(scene, place + "/emission/radiance", "expected finite values in [0, 1e15] W/(sr m^2)");
-  validatePlacement(scene, shape, place);
+  return validatePlacement(scene, shape, place);
 }
 
 }  // namespace
@@ -129,8 +134,15 @@ void validateScene(const Scene& scene) {
   validateFilm(scene);
   for (const Mesh& mesh : scene.meshes) validateMesh(mesh);
   if (scene.shapes.empty()) fail(scene, "/shapes", "the scene is empty; expected at least one shape");
+  Bounds all;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-    validateShape(scene, scene.shapes[i], fmt::format("/shapes/{}", i));
+    all.grow(validateShape(scene, scene.shapes[i], fmt::format("/shapes/{}", i)));
+  Vec3d const extent = all.extent();
+  double const size = std::max({extent.x, extent.y, extent.z});
+  if (!within(size, minSceneSize, maxSceneSize))
+    fail(scene, "/shapes",
+         fmt::format("the scene is {:.3g} units across, and single precision holds scenes of {:g} to {:g}; scale it",
+                     size, minSceneSize, maxSceneSize));
 }
 
 }  // namespace ropelight

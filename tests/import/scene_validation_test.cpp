@@ -70,6 +70,8 @@ TEST_CASE("shapes beyond the reach of single precision are refused") {
       contains(ofTransform(huge + huge + huge + huge + R"({"scale": 1e14})"), "s.json: /shapes/0: the shape reaches"));
   CHECK(ofTransform(R"({"scale": 1e-8}, {"scale": 1e-8})") ==
         "s.json: /shapes/0: the shape is smaller than 1e-15 scene units; scale the scene up");
+  CHECK(contains(ofTransform(R"({"scale": 1e13})"), "units across, and single precision holds scenes of 1e-09 to"));
+  CHECK(contains(ofTransform(R"({"scale": 1e-11})"), "s.json: /shapes: the scene is"));
 }
 
 TEST_CASE("a mesh that emits is refused") {
