@@ -17,7 +17,7 @@ namespace {
   throw Error(fmt::format("{}: {}: {}", scene.file, place, problem));
 }
 
-// Measured on a room scaled by powers of ten: at 1e-10 squared distances underflow, at 1e13 the picture changes.
+// A room scaled by powers of ten: at 1e-10 iterations no longer end in time, at 1e13 the picture is another.
 constexpr double minSceneSize = 1e-9, maxSceneSize = 1e12;  // scene units
 
 bool within(double x, double low, double high) { return x >= low && x <= high; }  // false for NaN
