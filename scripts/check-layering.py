@@ -103,8 +103,7 @@ def check_names():
             for number, line in enumerate(path.read_text().splitlines(), 1):
                 place = f"{name}:{number}"
                 if CUDA.search(line) and not CUDA_AT_HOME.match(name):
-                    if not (name == "render/core/vec.h" and "__CUDACC__" in line):
-                        problem(place, "CUDA names belong in render/core/hd.h, render/backend/ and .cu files")
+                    problem(place, "CUDA names belong in render/core/hd.h, render/backend/ and .cu files")
                 if GL.search(line) and not name.startswith(("app/", "tests/")):
                     problem(place, "GL, windows and the command line belong in app/")
                 if GLM.search(line) and name != "render/core/vec.h":

@@ -6,12 +6,12 @@
 
 #include "render/core/hd.h"
 
-#if defined(__CUDACC__)
+#if RL_CUDA_TARGET
 #pragma nv_diagnostic push
 #pragma nv_diag_suppress 20012  // GLM marks defaulted functions; the marks are ignored and harmless.
 #endif
 #include <glm/glm.hpp>
-#if defined(__CUDACC__)
+#if RL_CUDA_TARGET
 #pragma nv_diagnostic pop
 #endif
 
