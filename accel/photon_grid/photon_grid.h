@@ -117,7 +117,9 @@ struct PhotonGrid {
   }
 
   /// A bucket of a hashed grid may hold photons of other rows. They are skipped here, or a photon might be taken twice.
-  RL_HD bool belongs(Vec3 p, int y, int z) const { return dense || (cellOf(p.y, 1) == y && cellOf(p.z, 2) == z); }
+  RL_HD bool belongs(Vec3 p, int y, int z) const {
+    return dense || (cellOf(p.y, 1) == y && cellOf(p.z, 2) == z) || faulty(Fault::foreignRows);
+  }
 };
 
 }  // namespace ropelight::RL_TARGET

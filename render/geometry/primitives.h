@@ -125,20 +125,48 @@ RL_HD inline void intersect(const Triangle& triangle, const RayShear& shear, std
   if (hitTriangle(shear, p, q, r, u, v, w, hit, id, t, inverse)) hit = Hit{t, id, v * inverse, w * inverse};
 }
 
+/// Below this cosine between ray and normal the plane's t may lie outside the quad's box.
+inline constexpr Real grazingCosine = Real(1e-3);
+
+/// t moved into the ray's passage through the quad's box, so that no structure over boxes can lose the hit.
+RL_HD inline Real withinBox(const Quad& quad, const Ray& ray, Real t) {
+  Real enter = 0, leave = infinity;
+  for (int k = 0; k < 3; ++k) {
+    Real const d = RayShear::pick(ray.direction, k), o = RayShear::pick(ray.origin, k);
+    if (d == 0) continue;
+    Real const t0 = (RayShear::pick(quad.a, k) - o) / d, t1 = (RayShear::pick(quad.b, k) - o) / d;
+    Real const t2 = (RayShear::pick(quad.c, k) - o) / d, t3 = (RayShear::pick(quad.d, k) - o) / d;
+    enter = maxOf(enter, minOf(minOf(t0, t1), minOf(t2, t3)));
+    leave = minOf(leave, maxOf(maxOf(t0, t1), maxOf(t2, t3)));
+  }
+  return minOf(maxOf(t, enter), leave);
+}
+
 /// The plane's distance first, which rules out most quads; then the watertight test of the four edges. u, v:
 /// coordinates along b − a and d − a, from the half of the quad that the ray hits.
 RL_HD inline void intersect(const Quad& quad, const Ray& ray, const RayShear& shear, std::uint32_t id, Hit& hit) {
   Vec3 const toPlane = quad.a - ray.origin;
-  Real const inverse = 1 / dot(quad.n, ray.direction);
-  Real const t = dot(quad.n, toPlane) * inverse;
-  if (!(t > 0) || !hit.improvedBy(t, id)) return;
+  Real const slope = dot(quad.n, ray.direction), inverse = 1 / slope;
+  Real t = dot(quad.n, toPlane) * inverse;
+  bool const grazing = abs(slope) < grazingCosine * maxAbs(ray.direction);
+  if (!(t > 0) || !(grazing || hit.improvedBy(t, id))) return;
   // Rounding of the dot product, of the normal and of the corners: within it the ray starts on the plane.
   if (t <= gammaBound(10) * dot(absolute(quad.n), absolute(toPlane)) * abs(inverse)) return;
   Vec3 const a = shear(quad.a), b = shear(quad.b), c = shear(quad.c), d = shear(quad.d);
-  Real const ab = edge(b, a), bc = edge(c, b), cd = edge(d, c), da = edge(a, d);
+  Real ab = edge(b, a), bc = edge(c, b), cd = edge(d, c), da = edge(a, d), ac = edge(a, c);
+  if (ab == 0 || bc == 0 || cd == 0 || da == 0) {  // as for triangles
+    ab = edgeExact(b, a);
+    bc = edgeExact(c, b);
+    cd = edgeExact(d, c);
+    da = edgeExact(a, d);
+    ac = edgeExact(a, c);
+  }
   Real const highest = maxOf(maxOf(ab, bc), maxOf(cd, da));
   if (mixedSigns(minOf(minOf(ab, bc), minOf(cd, da)), highest)) return;
-  Real const ac = edge(a, c);
+  if (grazing) {
+    t = withinBox(quad, ray, t);
+    if (!(t > 0) || !hit.improvedBy(t, id)) return;
+  }
   bool const firstHalf = highest > 0 ? ac >= 0 : ac <= 0;
   Real const det = firstHalf ? ab + bc + ac : cd + da - ac;
   if (det == 0) return;

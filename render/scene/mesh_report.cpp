@@ -17,7 +17,8 @@ std::string describe(const std::string& file, const MeshReport& report) {
   addPolygons(report.notPlanar, "is" + by, "are" + by);
   addPolygons(report.crossing, "crosses itself", "cross themselves");
   add(report.degenerate, "face without an area was dropped", "faces without an area were dropped");
-  add(report.merged, "triangle is too small for single precision", "triangles are too small for single precision");
+  add(report.merged, "triangle is too small or thin for single precision",
+      "triangles are too small or thin for single precision");
   add(report.leftOut, "point, line, curve or surface was left out", "points, lines, curves or surfaces were left out");
   add(report.unused, "vertex belongs to no face", "vertices belong to no face");
   return text;

@@ -14,8 +14,8 @@ struct MeshReport {
   std::uint64_t crossing = 0;    ///< polygons whose outline crosses itself
   std::uint64_t degenerate = 0;  ///< faces without an area, dropped
   std::uint64_t unused = 0;      ///< vertices that no face names
-  std::uint64_t merged =
-      0;  ///< triangles with corners that single precision, from the mesh's centre, cannot tell apart
+  /// Triangles that single precision, from the mesh's centre, cannot tell from a line or a point.
+  std::uint64_t merged = 0;
   std::uint64_t leftOut = 0;  ///< points, lines, curves and surfaces
 };
 

@@ -77,7 +77,11 @@ TEST_CASE("what was dropped or approximated is counted, a line a file") {
         "m.obj: 2 of 3 polygons are not planar (by up to 14% of the size), 1 point, line, curve or surface was left "
         "out");
   CHECK(noteOf(square + "f 1 3 2 4\nf 1 2 3\n") == "m.obj: 1 of 1 polygon crosses itself");
-  CHECK(noteOf(square + "v 1e-9 0 0\nf 1 2 3 4\nf 1 5 4\n") == "m.obj: 1 triangle is too small for single precision");
+  CHECK(noteOf(square + "v 1e-9 0 0\nf 1 2 3 4\nf 1 5 4\n") ==
+        "m.obj: 1 triangle is too small or thin for single precision");
+  CHECK(noteOf(square + "v 0.5 1e-9 0\nf 1 2 3 4\nf 1 2 5\n") ==
+        "m.obj: 1 triangle is too small or thin for single precision");
+  CHECK(noteOf(square + "v 0.5 1e-6 0\nf 1 2 3 4\nf 1 2 5\n").empty());
   // The same triangle is large enough where it is the mesh.
   CHECK(noteOf("v 5000 0 0\nv 5000.000001 0 0\nv 5000 0.000001 0\nf 1 2 3\n").empty());
 }

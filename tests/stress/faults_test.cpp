@@ -30,6 +30,7 @@ constexpr Mutation mutations[] = {
     {Fault::otherSide, "photons count through a wall", "thin wall"},
     {Fault::discHeight, "discs without ends", "radii"},
     {Fault::chunkNumbers, "every pass has the same photons", "memory"},
+    {Fault::foreignRows, "colliding rows count twice", "collisions"},
     {Fault::lampCone, "1 - cos cancels", "small light"},
 };
 
@@ -47,7 +48,7 @@ CaseResult run(const StressCase& c, Fault fault) {
 }  // namespace
 
 TEST_SUITE("slow") {
-  TEST_CASE("stress finds each of ten faults") {
+  TEST_CASE("stress finds each of eleven faults") {
     CHECK(run(chooseCases(stressCatalogue(), {"thin wall"}, true)[0].cases[0], Fault::none).verdict() == Holds::yes);
     for (const Mutation& m : mutations) {
       std::string const what = m.what;

@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
+#include "accel/photon_grid/grid_layout.h"
 #include "app/stress/families/families.h"
 #include "measure/scenes/scene_kit.h"
+#include "render/flatten/flatten.h"
+#include "render/kernels/photon_plan.h"
 
 namespace ropelight::families {
 namespace {
@@ -99,6 +104,65 @@ std::vector<Measurement> cells(Probe& probe) {
   return out;
 }
 
+/// Rows of a hashed grid that share table entries within one query, so that their photons are met more than once: how
+/// many of the rows within `reach` rows of (y, z) start within that many entries of another's start.
+int collidingRows(const cpu::PhotonGrid& grid, int y, int z, int reach) {
+  std::vector<std::uint32_t> starts;
+  for (int dz = -reach; dz <= reach; ++dz)
+    for (int dy = -reach; dy <= reach; ++dy) starts.push_back(grid.rowStart(y + dy, z + dz) & (grid.cells - 1));
+  int found = 0;
+  std::sort(starts.begin(), starts.end());
+  for (std::size_t i = 1; i < starts.size(); ++i) found += starts[i] - starts[i - 1] <= 1;
+  return found;
+}
+
+struct Crowd {
+  Vec3d place{0};
+  int collisions = 0;
+};
+
+/// Where, of a million places within a box about the middle, most rows collide.
+Crowd worstPlace(const cpu::PhotonGrid& grid, Vec3d middle, double halfSize) {
+  Crowd worst;
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> at(-halfSize, halfSize);
+  for (int i = 0; i < 1000000; ++i) {
+    Vec3d const p = middle + Vec3d(at(engine), at(engine), at(engine));
+    cpu::Vec3 const f(p);
+    int const n = collidingRows(grid, grid.cellOf(f.y, 1), grid.cellOf(f.z, 2), 4);
+    if (n > worst.collisions) worst = {p, n};
+  }
+  return worst;
+}
+
+/// A furnace somewhere in a scene so wide that its grid is hashed, seen from its centre towards +x, so that
+/// discs lie across the rows; place: of the wall that is seen.
+Scene furnaceFarOff(Vec3d place, double halfSize) {
+  Scene scene = sphereFurnace(Rgb(0.5f), 1);
+  Vec3d const center = place - Vec3d(1, 0, 0);
+  scene.shapes[0].toWorld[3] = glm::dvec4(center, 1);
+  int const black = addMaterial(scene, DiffuseParams{Rgb(0)});
+  for (double side : {-halfSize, halfSize}) addSphere(scene, Vec3d(side), 1, black);
+  lookAt(scene, center, place, {0, 1, 0}, 5);
+  return scene;
+}
+
+std::vector<Measurement> collisions(Probe& probe) {
+  double const halfSize = 500, radius = 0.3;
+  Settings settings = furnaceSettings(radius, 8192);
+  settings.cellSize = 0.25;  // a disc covers nine rows by nine, but for its corners
+  FlatScene const flat = flatten(furnaceFarOff(Vec3d(0), halfSize));
+  cpu::PhotonGrid grid;
+  cpu::layOut(grid, flat.bounds, radius * settings.cellSize, cpu::tableFor(settings.photons));
+  Crowd const crowd = worstPlace(grid, -flat.origin, 0.9 * halfSize);
+  Estimate const e =
+      probe.estimate(furnaceFarOff(crowd.place + flat.origin, halfSize), settings, probe.choose(32, 128), 8, meanOfAll);
+  double const expected = 1 + discGain(radius);
+  return {
+      {"rows are hashed, and some collide", double(crowd.collisions), !grid.dense && crowd.collisions >= 4 ? 0.0 : 1.0},
+      {"radiance / closed form", double(crowd.collisions), e.mean / expected, e.error / expected, 1, 0.01}};
+}
+
 /// One photon an iteration, and as many as there are bits for.
 std::vector<Measurement> counts(Probe& probe) {
   std::vector<Measurement> out;
@@ -171,6 +235,8 @@ StressFamily photons() {
         "one standard error of the ratio, and four more", false, varianceOfFixedRadius},
        {"cells", "cells of a quarter and of sixteen radii: all photons in one", "cell size / radius",
         "largest difference from cells of one radius", "0", "1e-4: sums in another order", true, cells},
+       {"collisions", "rows of the hashed grid that collide within one disc", "colliding rows of 81",
+        "radiance / closed form", "1 + the sphere's area within the disc over pi r^2", "1%", true, collisions},
        {"counts", "1 photon an iteration, and 1e8 on a GPU", "photons an iteration", "radiance / closed form",
         "1/(1 - albedo)", "3%, 2%, 1%", true, counts},
        {"fewer than k", "k-nearest gathers with fewer photons than k", "photons an iteration", "radiance / closed form",

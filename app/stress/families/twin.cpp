@@ -15,11 +15,22 @@ BackendChoice inDouble(const Probe& probe) {
   return {BackendKind::cpu64, -1, probe.backend().threads, false};
 }
 
-Image renderTwin(Probe& probe, const Scene& scene, const Settings& settings, int iterations) {
+Image renderOn(Probe& probe, const BackendChoice& backend, const Scene& scene, const Settings& settings,
+               int iterations) {
   probe.tick();
-  auto const integrator = makeIntegrator(scene, settings, inDouble(probe));
+  auto const integrator = makeIntegrator(scene, settings, backend);
   integrator->advance(iterations);
   return integrator->film();
+}
+
+Image renderTwin(Probe& probe, const Scene& scene, const Settings& settings, int iterations) {
+  return renderOn(probe, inDouble(probe), scene, settings, iterations);
+}
+
+/// Relative to the second, floor 10⁻⁶.
+double apart(Rgb a, Rgb b) {
+  double const x = double(mean(a)), y = double(mean(b));
+  return std::abs(x - y) / std::max(std::abs(y), 1e-6);
 }
 
 struct Setting {
@@ -41,7 +52,18 @@ std::vector<Setting> settings() {
   return out;
 }
 
+/// Follows a pixel whose values differ: the fewest edges of its paths after which they do.
+int edgesUntilApart(Probe& probe, const Setting& s, std::size_t pixel, double relative) {
+  Settings cut = s.settings;
+  for (cut.maxDepth = 1; cut.maxDepth < s.settings.maxDepth; ++cut.maxDepth) {
+    Image const floats = probe.render(s.scene, cut, 1).image, doubles = renderTwin(probe, s.scene, cut, 1);
+    if (apart(floats.pixels[pixel], doubles.pixels[pixel]) > relative) break;
+  }
+  return cut.maxDepth;
+}
+
 std::vector<Measurement> oneIteration(Probe& probe) {
+  double const relative = 1e-3;
   std::vector<Measurement> out;
   for (const Setting& s : settings()) {
     Image const floats = probe.render(s.scene, s.settings, 1).image,
@@ -49,54 +71,41 @@ std::vector<Measurement> oneIteration(Probe& probe) {
     double far = 0, worst = 0;
     std::size_t at = 0;
     for (std::size_t i = 0; i < floats.pixels.size(); ++i) {
-      double const a = double(mean(floats.pixels[i])), b = double(mean(doubles.pixels[i]));
-      double const relative = std::abs(a - b) / std::max(std::abs(b), 1e-6);
-      far += relative > 1e-3;
-      if (relative > worst) worst = relative, at = i;
+      double const off = apart(floats.pixels[i], doubles.pixels[i]);
+      far += off > relative;
+      if (off > worst) worst = off, at = i;
     }
     auto const width = std::size_t(floats.width);
-    out.push_back({fmt::format("{}, worst pixel ({}, {}): {:.2g}", s.name, at % width, at / width, worst), 0,
-                   far / double(floats.pixels.size()), 0, 0, 0.01});
+    std::string text = fmt::format("{}, worst pixel ({}, {}): {:.2g}", s.name, at % width, at / width, worst);
+    if (worst > relative) text += fmt::format(", apart from edge {}", edgesUntilApart(probe, s, at, relative));
+    out.push_back({text, 0, far / double(floats.pixels.size()), 0, 0, 0.01});
   }
   return out;
 }
 
-std::vector<Measurement> manyIterations(Probe& probe) {
-  std::vector<Measurement> out;
-  int const iterations = probe.choose(16, 64), seeds = 8;
-  for (const Setting& s : settings()) {
-    std::vector<Image> const floats = probe.seeds(s.scene, s.settings, iterations, seeds);
-    std::vector<Image> doubles;
-    Settings twin = s.settings;
-    for (int i = 0; i < seeds; ++i) {
-      twin.seed = probe.seed() + std::uint64_t(i);
-      doubles.push_back(renderTwin(probe, s.scene, twin, iterations));
-    }
-    // The same numbers: what is left is far below the noise, which the standard errors hold.
-    out.push_back({s.name, 0, largestZ(floats, doubles, 8, 1e-4), 0, 0, 3});
-  }
-  return out;
-}
-
-/// The GPU against the CPU: nvcc fuses products and sums, and nothing else may differ.
-std::vector<Measurement> otherBackend(Probe& probe) {
-  if (!probe.isGpu()) throw LeftOut{"this is the CPU: run it with --backend cuda"};
+/// The same seeds here and by another way: what is left is far below the noise, which the standard errors hold.
+std::vector<Measurement> sameSeeds(Probe& probe, const BackendChoice& other) {
   std::vector<Measurement> out;
   int const iterations = probe.choose(16, 64), seeds = 8;
   for (const Setting& s : settings()) {
     std::vector<Image> const here = probe.seeds(s.scene, s.settings, iterations, seeds);
     std::vector<Image> there;
-    Settings other = s.settings;
+    Settings settings = s.settings;
     for (int i = 0; i < seeds; ++i) {
-      probe.tick();
-      other.seed = probe.seed() + std::uint64_t(i);
-      auto const integrator = makeIntegrator(s.scene, other, {BackendKind::cpu, -1, probe.backend().threads, false});
-      integrator->advance(iterations);
-      there.push_back(integrator->film());
+      settings.seed = probe.seed() + std::uint64_t(i);
+      there.push_back(renderOn(probe, other, s.scene, settings, iterations));
     }
     out.push_back({s.name, 0, largestZ(here, there, 8, 1e-4), 0, 0, 3});
   }
   return out;
+}
+
+std::vector<Measurement> manyIterations(Probe& probe) { return sameSeeds(probe, inDouble(probe)); }
+
+/// The GPU against the CPU: nvcc fuses products and sums, and nothing else may differ.
+std::vector<Measurement> otherBackend(Probe& probe) {
+  if (!probe.isGpu()) throw LeftOut{"this is the CPU: run it with --backend cuda"};
+  return sameSeeds(probe, {BackendKind::cpu, -1, probe.backend().threads, false});
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -134,8 +136,17 @@ class MeshReader {
     auto rounded = [&](std::uint32_t i) { return glm::vec3(mesh_.positions[i] - center); };
     for (const glm::uvec3& t : mesh_.triangles) {
       glm::vec3 const a = rounded(t.x), b = rounded(t.y), c = rounded(t.z);
-      if (a == b || b == c || c == a) ++mesh_.report.merged;
+      if (a == b || b == c || c == a || isLine(Vec3d(a), Vec3d(b), Vec3d(c))) ++mesh_.report.merged;
     }
+  }
+
+  /// Whether the triangle is thinner than floats there are apart, so that rays may hit it or not.
+  static bool isLine(Vec3d a, Vec3d b, Vec3d c) {
+    Vec3d const ab = b - a, bc = c - b, ca = a - c;
+    double const longest = std::sqrt(std::max({glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ca, ca)}));
+    double farthest = 0;
+    for (Vec3d p : {a, b, c}) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return glm::length(glm::cross(ab, bc)) <= longest * farthest * std::numeric_limits<float>::epsilon();
   }
 
   ObjStatements statements_;
