@@ -87,6 +87,8 @@ void printText(const Scene& scene, const Settings& settings, const Stats& stats)
     fmt::print("{:<12}{} nodes, {} leaves, depth {}, SAH cost {:.1f}, built in {:.3f} s\n", "tree", stats.treeNodes,
                stats.treeLeaves, stats.treeDepth, stats.treeCost, stats.treeSeconds);
   if (stats.firstRadius > 0) fmt::print("{:<12}{:.6g} scene units at first\n", "radius", stats.firstRadius);
+  if (stats.firstCausticRadius > 0)
+    fmt::print("{:<12}{:.6g} scene units at first\n", "caustics", stats.firstCausticRadius);
   for (const std::string& note : scene.notes) fmt::print("{:<12}{}\n", "note", note);
   printFeatures(stats.features);
   printMemory(stats);

@@ -48,6 +48,8 @@ nlohmann::ordered_json toJson(const Stats& s) {
       {"truncatedPaths", s.truncatedPaths},
       {"firstRadius", s.firstRadius},
       {"radius", s.radius},
+      {"firstCausticRadius", s.firstCausticRadius},
+      {"causticRadius", s.causticRadius},
       {"advice", s.advice},
       {"accel", s.accel},
       {"treeNodes", s.treeNodes},

@@ -23,11 +23,12 @@ inline constexpr FeatureBits bvh = 1u << 11;         ///< bounding-volume hierar
 inline constexpr FeatureBits shortStack = 1u << 12;  ///< the kd-tree is traversed with a short stack, not by ropes
 inline constexpr FeatureBits instances = 1u << 13;   ///< instanced meshes
 inline constexpr FeatureBits coincident = 1u << 14;  ///< surfaces at the same place, hit in a defined order
-inline constexpr FeatureBits all = (1u << 15) - 1;
+inline constexpr FeatureBits caustics = 1u << 15;    ///< photons of caustics apart, aimed at what makes them
+inline constexpr FeatureBits all = (1u << 16) - 1;
 // What kernels are ready for and no scene can ask for yet, so that no row has it; tests compile it in.
-inline constexpr FeatureBits glossy = 1u << 15;       ///< photons with directions, weighted one by one
-inline constexpr FeatureBits shading = 1u << 16;      ///< uv, tangent and shading normal at surfaces
-inline constexpr FeatureBits environment = 1u << 17;  ///< light from infinitely far
+inline constexpr FeatureBits glossy = 1u << 16;       ///< photons with directions, weighted one by one
+inline constexpr FeatureBits shading = 1u << 17;      ///< uv, tangent and shading normal at surfaces
+inline constexpr FeatureBits environment = 1u << 18;  ///< light from infinitely far
 }  // namespace feature
 
 struct FeatureName {
@@ -53,6 +54,7 @@ inline constexpr FeatureName featureNames[] = {
     {feature::lights, "lights", "emitters and shadow rays"},
     {feature::photons, "photons", "photon pass, hash grid and gather"},
     {feature::nearest, "nearest", "k-nearest gather"},
+    {feature::caustics, "caustics", "photons aimed at what makes caustics"},
 };
 
 }  // namespace ropelight

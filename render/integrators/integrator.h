@@ -32,6 +32,7 @@ struct Stats {
   std::uint64_t chunks = 1;                          ///< parts that one iteration's photons are traced in
   double firstRadius = 0;                            ///< scene units; 0 without photons
   double radius = 0;                                 ///< of the latest iteration
+  double firstCausticRadius = 0, causticRadius = 0;  ///< likewise of caustics; 0 where they are not apart
   Settings settings;                                 ///< resolved: no automatic value is left
   std::vector<std::string> advice;                   ///< settings that make no sense for the scene, a sentence each
   std::string accel;                                 ///< what rays go through

@@ -41,7 +41,8 @@ class PhotonMap {
   /// Traces paths [first, first + count) in a kernel row and leaves their photons in grid().
   void build(Backend& backend, int row, const FrameView& frame, Buffer<IterationState>& state, std::uint64_t first,
              std::uint32_t count, Real pathsPerIteration, const FlatScene& scene, Real cellSize) {
-    PhotonStore const store = storeFor(count, state);
+    PhotonStore store = storeFor(count, state);
+    store.caustics = frame.photonClass == PhotonClass::caustic;
     launch(backend, row, count, TracePhotonsArgs{frame, store, first, pathsPerIteration});
     backend.exclusiveScan(counts_, offsets_, count);
     backend.forEach(count, ListLongPaths{store});

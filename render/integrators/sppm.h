@@ -17,13 +17,16 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   explicit SppmIntegrator(const Prepared& p) : Base(p) { settingsChanged(); }
 
   std::uint32_t presentPhotons(std::uint32_t most) override {
-    std::uint32_t const photons = hasPhotons() && this->state_.committed > 0 ? this->state_.chunkPhotons : 0;
-    std::uint32_t const count = std::min(photons, most);
+    bool const any = hasPhotons() && this->state_.committed > 0;
+    std::uint32_t const others = any ? this->state_.chunkPhotons : 0;
+    std::uint32_t const caustics = any && hasCaustics() ? this->state_.causticPhotons : 0;
+    std::uint64_t const photons = std::uint64_t(others) + caustics;
     this->backend_.activate();
+    std::uint32_t const count = std::uint32_t(std::min<std::uint64_t>(photons, most));
     points3d_.allocate(this->backend_, "display", count);
-    if (count > 0)
-      this->backend_.forEach(
-          count, ResolvePhotons{map_.grid().positions, map_.grid().powers, photons, count, points3d_.span()});
+    std::uint32_t const first = photons > 0 ? std::uint32_t(std::uint64_t(count) * caustics / photons) : 0;
+    presentFrom(caustics_, caustics, {points3d_.span().data, first});
+    presentFrom(map_, others, {points3d_.span().data + first, count - first});
     this->backend_.synchronize();
     return this->backend_.interrupted() ? 0 : count;
   }
@@ -38,7 +41,12 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     s.chunks = map_.plan().chunks;
     s.settings.photonMemory = budget_ >> 20;
     s.firstRadius = this->prepared_.settings.radius;
-    s.radius = radiusOf(std::max<std::uint64_t>(s.iterations, 1));
+    std::uint64_t const latest = std::max<std::uint64_t>(s.iterations, 1);
+    s.radius = radiusOf(latest, s.firstRadius);
+    if (!hasCaustics()) return s;
+    s.photonPaths += s.iterations * this->prepared_.settings.causticPhotons;
+    s.firstCausticRadius = this->prepared_.settings.causticRadius;
+    s.causticRadius = radiusOf(latest, s.firstCausticRadius);
     return s;
   }
 
@@ -47,8 +55,13 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     const Settings& s = this->prepared_.settings;
     points_.allocate(this->backend_, "gather points", hasPhotons() ? this->frame_.slots() : 0);
     glossy_.allocate(this->backend_, "gather points", hasPhotons() && isGlossy() ? this->frame_.slots() : 0);
-    if (!hasPhotons()) return map_.release();
-    if (s.photons == plannedPhotons_ && s.photonMemory == plannedMemory_ && s.gather == plannedGather_) return;
+    if (!hasPhotons()) {
+      caustics_.release();
+      return map_.release();
+    }
+    if (s.photons == plannedPhotons_ && s.causticPhotons == plannedCaustics_ && s.photonMemory == plannedMemory_ &&
+        s.gather == plannedGather_)
+      return;
     budget_ = s.photonMemory > 0 ? s.photonMemory << 20 : this->backend_.device().memory / 4;
     makeRoom(perPath_ > 0 ? perPath_ : expectedPerPath, perPath_ > 0 ? tailPerPath_ : expectedTail);
   }
@@ -71,8 +84,10 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   bool isGlossy() const { return (this->prepared_.features & feature::glossy) != 0; }
   bool hasPhotons() const { return (this->prepared_.features & feature::photons) != 0; }
 
-  double radiusOf(std::uint64_t iteration) const {
-    return gatherRadius(this->prepared_.settings.radius, this->prepared_.settings.alpha, iteration,
+  bool hasCaustics() const { return (this->prepared_.features & feature::caustics) != 0; }
+
+  double radiusOf(std::uint64_t iteration, double first) const {
+    return gatherRadius(first, this->prepared_.settings.alpha, iteration,
                         smallestDisc(*this->prepared_.flat, double(machineEpsilon)));
   }
 
@@ -83,45 +98,68 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     tailPerPath_ = tailPerPath;
     plannedPhotons_ = 0;  // until it stands
     map_.release();
+    caustics_.release();
     for (;; budget_ /= 2) {
-      PhotonPlan const plan = planPhotons(s.photons, budget_, perPath, tailPerPath);
+      std::uint64_t const forCaustics = hasCaustics() ? causticBudget(budget_) : 0;
+      PhotonPlan const plan = planPhotons(s.photons, budget_ - forCaustics, perPath, tailPerPath);
       if (plan.chunks > 1 && (this->prepared_.features & feature::nearest))
         throw Error("k-nearest gathering needs all photons of an iteration at once, and they do not fit into " +
                         std::to_string(budget_ >> 20) + " MiB; use fewer --photons or -D gather=radius",
                     ExitCode::outOfMemory);
       try {
         map_.allocate(this->backend_, plan, isGlossy());
+        if (hasCaustics())
+          caustics_.allocate(this->backend_, planCaustics(s.causticPhotons, forCaustics), isGlossy());
         break;
       } catch (const std::bad_alloc&) {
         map_.release();
+        caustics_.release();
         if (plan.paths <= 1024) throw;
       }
     }
     plannedPhotons_ = s.photons;
+    plannedCaustics_ = s.causticPhotons;
     plannedMemory_ = s.photonMemory;
     plannedGather_ = s.gather;
   }
 
+  /// Caustics first, so that what is presented of a map is the other's.
   void gatherPhotons(std::uint64_t i) {
     const Settings& s = this->prepared_.settings;
-    Real const radius = Real(radiusOf(i + 1));
-    const PhotonPlan& plan = map_.plan();
+    if (hasCaustics())
+      gatherFrom(caustics_, PhotonClass::caustic, i, s.causticPhotons, Real(radiusOf(i + 1, s.causticRadius)));
+    gatherFrom(map_, hasCaustics() ? PhotonClass::global : PhotonClass::every, i, s.photons,
+               Real(radiusOf(i + 1, s.radius)));
+  }
+
+  void gatherFrom(PhotonMap<Backend>& map, PhotonClass photonClass, std::uint64_t i, std::uint64_t photons,
+                  Real radius) {
+    FrameView frame = this->frame_;
+    frame.photonClass = photonClass;
+    const PhotonPlan& plan = map.plan();
     for (std::uint32_t chunk = 0; chunk < plan.chunks; ++chunk) {
       std::uint64_t const first = std::uint64_t(chunk) * plan.paths;
-      std::uint32_t const count = std::uint32_t(std::min<std::uint64_t>(plan.paths, s.photons - first));
-      map_.build(this->backend_, this->row_, this->frame_, this->stateBuffer_,
-                 i * s.photons + (faulty(Fault::chunkNumbers) ? 0 : first), count, Real(s.photons),
-                 *this->prepared_.flat, radius * Real(s.cellSize));
-      gather(radius);
+      std::uint32_t const count = std::uint32_t(std::min<std::uint64_t>(plan.paths, photons - first));
+      map.build(this->backend_, this->row_, frame, this->stateBuffer_,
+                i * photons + (faulty(Fault::chunkNumbers) ? 0 : first), count, Real(photons), *this->prepared_.flat,
+                radius * Real(this->prepared_.settings.cellSize));
+      gather(map.grid(), radius);
     }
   }
 
-  void gather(Real radius) {
+  /// Every so many-th of the map's photons, as many as there are points.
+  void presentFrom(const PhotonMap<Backend>& map, std::uint32_t photons, Span<PhotonPoint> points) {
+    if (points.size == 0) return;
+    this->backend_.forEach(points.size,
+                           ResolvePhotons{map.grid().positions, map.grid().powers, photons, points.size, points});
+  }
+
+  void gather(const PhotonGrid& grid, Real radius) {
     const Settings& s = this->prepared_.settings;
     Gathered const output = s.aov == Aov::photonCount    ? Gathered::photonCount
                             : s.aov == Aov::gatherRadius ? Gathered::radius
                                                          : Gathered::radiance;
-    GatherView const view{map_.grid(), radius, s.maxDepth};
+    GatherView const view{grid, radius, s.maxDepth};
     std::uint32_t const n = this->frame_.slots();
     if (this->prepared_.features & feature::nearest)
       this->backend_.forEach(n, GatherNearest{view, s.nearest, points_.view(), this->radiance_.span(), output});
@@ -132,12 +170,12 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
       this->backend_.forEach(n, GatherRadius{view, points_.view(), this->radiance_.span(), output});
   }
 
-  PhotonMap<Backend> map_;
+  PhotonMap<Backend> map_, caustics_;
   Buffer<GatherPoint> points_;
   Buffer<GlossyPoint> glossy_;
   Buffer<PhotonPoint> points3d_;  ///< for a window
   std::uint64_t budget_ = 0;
-  std::uint64_t plannedPhotons_ = 0, plannedMemory_ = 0;
+  std::uint64_t plannedPhotons_ = 0, plannedCaustics_ = 0, plannedMemory_ = 0;
   GatherBy plannedGather_ = GatherBy::radius;  ///< read only where plannedPhotons_ is not 0
   double perPath_ = 0, tailPerPath_ = 0;
 };

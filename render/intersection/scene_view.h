@@ -20,6 +20,12 @@ struct Light {
   Real pick = 0;
 };
 
+/// A ball that photons of caustics are aimed at (render/targets).
+struct alignas(16) Target {
+  Vec3 center;
+  Real radius = 0;
+};
+
 struct SceneView {
   Span<const Quad> quads;
   Span<const Sphere> spheres;
@@ -33,6 +39,7 @@ struct SceneView {
   Span<const Light> lights;
   Span<const Real> lightCdf;             ///< inclusive sums of Light::pick
   Span<const std::uint32_t> lightGuide;  ///< by which they are searched (render/light/guide_table.h)
+  Span<const Target> targets;            ///< together they hold all specular surfaces
   Real power = 0;                        ///< of all lights: mean over the channels, watts
   std::uint32_t primitiveCount = 0;      ///< instances included; hits on their triangles have higher numbers
   KdTreeView tree;

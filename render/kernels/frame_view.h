@@ -23,8 +23,14 @@ struct FrameView {
   std::uint64_t cameraSeed = 0;  ///< another one every 2³² iterations
   std::uint32_t iteration = 0;   ///< from 0, modulo 2³²
   bool shadowRays = true;        ///< direct light by shadow rays; else by photons
+  PhotonClass photonClass = PhotonClass::every;
   bool indirectOnly = false;
   bool dark = false;  ///< camera paths carry no light: something else is wanted of their ends
+
+  /// Whether photons of this kind are stored.
+  RL_HD bool stores(bool caustic) const {
+    return photonClass == PhotonClass::every || caustic == (photonClass == PhotonClass::caustic);
+  }
 
   /// Slots for pixels, in tiles of 8×4 so that neighbours in memory and in a warp are neighbours in the image.
   RL_HD std::uint32_t slots() const { return std::uint32_t((width + 7) / 8) * std::uint32_t((height + 3) / 4) * 32; }
@@ -43,7 +49,8 @@ struct FrameView {
   }
 
   RL_HD Sampler photonSampler(std::uint64_t path) const {
-    return Sampler(sampler, seed, Stream::photon, std::uint32_t(path >> 32), std::uint32_t(path));
+    Stream const stream = photonClass == PhotonClass::caustic ? Stream::caustic : Stream::photon;
+    return Sampler(sampler, seed, stream, std::uint32_t(path >> 32), std::uint32_t(path));
   }
 
   template <FeatureBits F>

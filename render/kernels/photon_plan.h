@@ -38,8 +38,10 @@ inline constexpr double expectedPerPath = 2.5, expectedTail = 0.1;
 
 /// The largest plan for `photons` paths that stays within `budget` bytes, in as many chunks as it takes; one of 1024
 /// paths is not divided further. perPath: expected deposits of a path; tail: expected share of them beyond the stripe.
-inline PhotonPlan planPhotons(std::uint64_t photons, std::uint64_t budget, double perPath, double tailPerPath) {
+inline PhotonPlan planPhotons(std::uint64_t photons, std::uint64_t budget, double perPath, double tailPerPath,
+                              std::uint32_t stripe = 8) {
   PhotonPlan plan;
+  plan.stripe = stripe;
   for (std::uint64_t chunks = 1;; chunks *= 2) {
     std::uint64_t const paths = (photons + chunks - 1) / chunks;
     plan.paths = std::uint32_t(paths);
@@ -52,5 +54,13 @@ inline PhotonPlan planPhotons(std::uint64_t photons, std::uint64_t budget, doubl
     if ((plan.bytes() <= budget && numbered) || paths <= 1024) return plan;
   }
 }
+
+/// The same for photons of caustics, of which a path leaves one or none.
+inline PhotonPlan planCaustics(std::uint64_t photons, std::uint64_t budget) {
+  return planPhotons(photons, budget, 1, 0, 1);
+}
+
+/// What of the budget for photons is for caustics, where they are apart.
+inline std::uint64_t causticBudget(std::uint64_t budget) { return budget / 4; }
 
 }  // namespace ropelight::RL_TARGET

@@ -28,7 +28,8 @@ struct IterationState {
   std::uint32_t halt = 0;
   std::uint32_t photonsNeeded = 0;  ///< of the chunk that did not fit
   std::uint32_t tailNeeded = 0;
-  std::uint32_t chunkPhotons = 0;  ///< of the chunk being traced
+  std::uint32_t chunkPhotons = 0;    ///< of the chunk being traced
+  std::uint32_t causticPhotons = 0;  ///< of the latest chunk of caustics
   unsigned long long pending = 0;  ///< photons of the iteration so far
   unsigned long long committed = 0;
   unsigned long long stored = 0;
@@ -42,6 +43,7 @@ struct PhotonStore {
   std::uint32_t stripe = 0;  ///< slots of each path
   std::uint32_t tailCapacity = 0;
   std::uint32_t photonCapacity = 0;
+  bool caustics = false;           ///< a map of caustics alone
   Span<Photon> photons;            ///< paths·stripe + tailCapacity: slot j·paths + path, then tails
   Span<std::uint32_t> directions;  ///< by slot, packed: to where each came from; empty but with feature::glossy
   Span<DepositCount> counts;       ///< by path

@@ -16,8 +16,11 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
   Sampler sampler = frame.photonSampler(path);
   Real const uLight = sampler.next1();
   Vec2 const uPoint = sampler.next2(), uDirection = sampler.next2();
-  Emitted const start = emitPhoton<F>(frame.scene, uLight, uPoint, uDirection, pathsPerIteration);
+  bool const aimed = frame.photonClass == PhotonClass::caustic;
+  Emitted const start = aimed ? emitAimed<F>(frame.scene, uLight, sampler.next1(), uPoint, uDirection, pathsPerIteration)
+                              : emitPhoton<F>(frame.scene, uLight, uPoint, uDirection, pathsPerIteration);
   Rgb flux = start.flux;
+  if (aimed && isBlack(flux)) return 0;
   Flight flight = depart<F>(frame.scene, start.surface, start.direction);
   if (hiddenAtStart<F>(frame.scene, flight)) return 0;
   std::uint32_t count = 0;
@@ -38,11 +41,13 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
       Vec3 const wo = local.toLocal(-flight.ray.direction);
       if (bsdf.lobes() & lobe::gathered) {
         // One edge from the light is direct light, which shadow rays have unless photons are to carry it.
-        if (edges > 1 || !(frame.shadowRays || frame.indirectOnly))
+        bool const caustic = specularSoFar && edges > 1, direct = edges == 1;
+        if (frame.stores(caustic) && !(direct && (frame.shadowRays || frame.indirectOnly)))
           deposit(count++, PhotonPosition{s.p, packDirection(wo.z < 0 ? -s.n : s.n)},
-                  PhotonPower{flux, std::uint32_t(edges) | (specularSoFar && edges > 1 ? PhotonPower::causticBit : 0u)},
+                  PhotonPower{flux, std::uint32_t(edges) | (caustic ? PhotonPower::causticBit : 0u)},
                   -flight.ray.direction);
         specularSoFar = false;
+        if (aimed) return;  // what it lights next is for the others
       }
       BsdfSample const b = bsdf.sample(wo, u.x, direction, Transport::flux);
       Rgb const next = flux * b.weight;
@@ -110,6 +115,7 @@ struct CheckRoom {
     DepositCount const total = store.offsets[store.paths];
     IterationState& s = store.state[0];
     s.chunkPhotons = total.all;
+    if (store.caustics) s.causticPhotons = total.all;
     s.pending += total.all;
     if (total.all <= store.photonCapacity && total.tail <= store.tailCapacity) return;
     s.halt = 1;

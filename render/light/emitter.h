@@ -41,13 +41,18 @@ struct SurfaceEmitter {
   /// Whether a light of the flat scene is of this kind.
   static bool holds(const FlatScene& flat, const FlatLight& light) { return Shape::holds(flat, light.primitive); }
 
-  /// The point and the direction of a photon; its flux is for the caller.
-  RL_HD static void emit(const SceneView& scene, const Light& light, const EmissionSample& u, Emitted& e) {
+  /// The point of a photon; returns the normal of the side that it leaves.
+  RL_HD static Vec3 start(const SceneView& scene, const Light& light, const EmissionSample& u, Emitted& e) {
     Shape::samplePoint(Shape::shape(scene, light), u.uPoint, e.surface);
     e.surface.primitive = light.primitive;
     bool const inward =
         light.side == std::uint32_t(Side::in) || (light.side == std::uint32_t(Side::both) && u.uLight < 0.5f);
-    Vec3 const n = inward ? -e.surface.n : e.surface.n;
+    return inward ? -e.surface.n : e.surface.n;
+  }
+
+  /// The point and the direction of a photon; its flux is for the caller.
+  RL_HD static void emit(const SceneView& scene, const Light& light, const EmissionSample& u, Emitted& e) {
+    Vec3 const n = start(scene, light, u, e);
     e.direction = normalize(Frame(n).toWorld(cosineHemisphere(u.uDirection)));
   }
 

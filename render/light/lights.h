@@ -2,6 +2,7 @@
 // The questions that integrators ask of a scene's lights: where does a photon start, what light reaches this point,
 // what does a ray bring that leaves the scene. Lights are picked in proportion to their power.
 
+#include "render/light/aim.h"
 #include "render/light/emitters.h"
 #include "render/light/guide_table.h"
 
@@ -21,6 +22,29 @@ RL_HD inline Emitted emitPhoton(const SceneView& scene, Real uLight, Vec2 uPoint
   const Light& light = scene.lights[pickLight(scene, uLight)];
   visitEmitter<F>(light, [&](auto kind) { kind.emit(scene, light, EmissionSample{uLight, uPoint, uDirection}, e); });
   e.flux = light.radiance * float(scene.power / (paths * Real(mean(light.radiance))));
+  return e;
+}
+
+/// A photon towards specular surfaces; flux 0 where it misses them. uTarget: picks one. Lights that are no surfaces send
+/// it anywhere.
+template <FeatureBits F>
+RL_HD inline Emitted emitAimed(const SceneView& scene, Real uLight, Real uTarget, Vec2 uPoint, Vec2 uDirection,
+                               Real paths) {
+  Emitted e;
+  const Light& light = scene.lights[pickLight(scene, uLight)];
+  Real factor = 1;
+  visitEmitter<F>(light, [&](auto kind) {
+    EmissionSample const u{uLight, uPoint, uDirection};
+    if constexpr (requires { kind.start(scene, light, u, e); }) {
+      Vec3 const n = kind.start(scene, light, u, e);
+      Aimed const aimed = aimAt(scene.targets, e.surface.p, n, uTarget, uDirection);
+      e.direction = aimed.direction;
+      factor = aimed.factor;
+    } else {
+      kind.emit(scene, light, u, e);
+    }
+  });
+  e.flux = light.radiance * float(factor * scene.power / (paths * Real(mean(light.radiance))));
   return e;
 }
 

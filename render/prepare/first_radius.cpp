@@ -81,8 +81,9 @@ struct FindDensity {
 
 class Pilot {
  public:
-  explicit Pilot(const Prepared& p) : prepared_(p), backend_(p.backend), scene_(backend_, p) {
+  Pilot(const Prepared& p, PhotonClass photons) : prepared_(p), backend_(p.backend), scene_(backend_, p) {
     const Settings& s = p.settings;
+    frame_.photonClass = photons;
     frame_.scene = scene_.view;
     frame_.width = pilotWidth;
     frame_.height = std::clamp(pilotWidth * s.height / s.width, 1, 4 * pilotWidth);
@@ -101,10 +102,15 @@ class Pilot {
     backend_.forEach(std::uint32_t(points.size()), FindDensity{&points, &photons_, &densities});
     double const distance2 = weightedMedian(densities);
     double const perPath = (neighbours - 1) / (M_PI * distance2 * double(paths));  // photons per area and path
-    return distance2 > 0 ? std::sqrt(photonsPerDisc / (M_PI * perPath * double(prepared_.settings.photons))) : 0;
+    return distance2 > 0 ? std::sqrt(photonsPerDisc / (M_PI * perPath * pathsPerIteration())) : 0;
   }
 
  private:
+  double pathsPerIteration() const {
+    const Settings& s = prepared_.settings;
+    return double(frame_.photonClass == PhotonClass::caustic ? s.causticPhotons : s.photons);
+  }
+
   std::vector<GatherPoint> tracePoints() {
     std::vector<Rgb> radiance(frame_.slots());
     std::vector<GatherPoint> points(frame_.slots());
@@ -153,12 +159,12 @@ double pixelFootprint(const Prepared& p, double distance) {
   return 2 * distance * std::tan(glm::radians(p.camera.verticalFov) / 2) / p.settings.height;
 }
 
-double automaticRadius(const Prepared& p) {
+double automaticRadius(const Prepared& p, PhotonClass photons) {
   const FlatScene& flat = *p.flat;
   Vec3d const center = 0.5 * (flat.bounds.min + flat.bounds.max);
   double const footprint = pixelFootprint(p, glm::length(center - p.camera.position));
   double const size = glm::length(flat.bounds.extent());
-  double const radius = std::max(Pilot(p).radius(), 0.5 * footprint);
+  double const radius = std::max(Pilot(p, photons).radius(), 0.5 * footprint);
   return std::clamp(radius, 1e-6 * size, 0.25 * size);
 }
 

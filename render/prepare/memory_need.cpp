@@ -54,10 +54,20 @@ void requireFit(const Prepared& p, const Need& need, const std::string& place, s
   refuse(p, need, place, free + held);
 }
 
+void addMap(const cpu::PhotonPlan& plan, Need& need) {
+  std::uint64_t const stored = plan.photonCapacity;
+  need["photons"] +=
+      plan.slots() * sizeof(cpu::Photon) + stored * (sizeof(cpu::PhotonPosition) + sizeof(cpu::PhotonPower));
+  need["photon paths"] +=
+      plan.paths * (2 * sizeof(cpu::DepositCount) + sizeof(std::uint32_t)) + sizeof(cpu::DepositCount);
+  need["grid"] += (4 * stored + plan.tableSize + 1) * sizeof(std::uint32_t);
+}
+
 bool sameNeed(const Prepared& a, const Prepared& b) {
   auto const key = [](const Prepared& p) {
     const Settings& s = p.settings;
-    return std::tuple(s.width, s.height, s.photons, s.photonMemory, p.features & feature::photons);
+    return std::tuple(s.width, s.height, s.photons, s.causticPhotons, s.photonMemory,
+                      p.features & (feature::photons | feature::caustics));
   };
   return key(a) == key(b);
 }
@@ -71,13 +81,10 @@ std::map<std::string, std::uint64_t> memoryNeed(const Settings& s, FeatureBits f
   if (!(features & feature::photons)) return need;
   need["gather points"] = slots * sizeof(cpu::GatherPoint);
   std::uint64_t const budget = s.photonMemory > 0 ? s.photonMemory << 20 : deviceMemory / 4;
-  cpu::PhotonPlan const plan = cpu::planPhotons(s.photons, budget, cpu::expectedPerPath, cpu::expectedTail);
-  std::uint64_t const stored = plan.photonCapacity;
-  need["photons"] =
-      plan.slots() * sizeof(cpu::Photon) + stored * (sizeof(cpu::PhotonPosition) + sizeof(cpu::PhotonPower));
-  need["photon paths"] =
-      plan.paths * (2 * sizeof(cpu::DepositCount) + sizeof(std::uint32_t)) + sizeof(cpu::DepositCount);
-  need["grid"] = (4 * stored + plan.tableSize + 1) * sizeof(std::uint32_t);
+  bool const apart = (features & feature::caustics) != 0;
+  std::uint64_t const forCaustics = apart ? cpu::causticBudget(budget) : 0;
+  addMap(cpu::planPhotons(s.photons, budget - forCaustics, cpu::expectedPerPath, cpu::expectedTail), need);
+  if (apart) addMap(cpu::planCaustics(s.causticPhotons, forCaustics), need);
   return need;
 }
 

@@ -24,6 +24,7 @@ void resolve(const FilmDesc& film, std::uint32_t primitives, Settings& s) {
   if (s.height == 0) s.height = film.height;
   if (std::uint64_t(s.width) * std::uint64_t(s.height) > (1u << 28))
     throw Error(fmt::format("film: {} x {} pixels; at most 2^28 fit", s.width, s.height), ExitCode::usage);
+  if (s.causticPhotons == 0) s.causticPhotons = s.photons;
   if (s.maxDepth == 0) s.maxDepth = hardDepthLimit;
   if (s.treeDepth == 0) s.treeDepth = automaticTreeDepth(primitives);
 }
@@ -45,7 +46,11 @@ void resolveAll(Prepared& p, const Settings& requested) {
 }
 
 void resolveRadius(Prepared& p) {
-  if ((p.features & feature::photons) && p.settings.radius == 0) p.settings.radius = automaticRadius(p);
+  Settings& s = p.settings;
+  bool const apart = (p.features & feature::caustics) != 0;
+  if ((p.features & feature::photons) && s.radius == 0)
+    s.radius = automaticRadius(p, apart ? PhotonClass::global : PhotonClass::every);
+  if (apart && s.causticRadius == 0) s.causticRadius = automaticRadius(p, PhotonClass::caustic);
 }
 
 KdSplit splitOf(SplitBy by) {
@@ -102,9 +107,15 @@ void buildStructures(Prepared& p, SceneCache& cache) {
   }
 }
 
+void findTargets(Prepared& p) {
+  if ((p.features & feature::caustics) && !p.targets)
+    p.targets = std::make_shared<const std::vector<SpecularTarget>>(specularTargets(*p.flat));
+}
+
 /// What an integrator was compiled and its scene uploaded for.
 bool sameIntegrator(const Prepared& a, const Prepared& b) {
   return integratorOf(a.settings) == integratorOf(b.settings) && rowFor(a.features) == rowFor(b.features) &&
+         (a.features & feature::caustics) == (b.features & feature::caustics) &&
          a.settings.accel == b.settings.accel &&
          (!(a.features & feature::tree) || treeConfig(a.settings) == treeConfig(b.settings));
 }
@@ -130,6 +141,8 @@ FeatureBits featuresOf(const FlatScene& flat, const CameraDesc& camera, const Se
   bool const sppm = integratorOf(s) == IntegratorKind::sppm;
   if (sppm && (bits & feature::lights) && (bits & (feature::diffuse | feature::glossy))) bits |= feature::photons;
   if ((bits & feature::photons) && s.gather == GatherBy::nearest) bits |= feature::nearest;
+  bool const aimed = s.caustics == Caustics::aimed && s.gather == GatherBy::radius;
+  if ((bits & feature::photons) && (bits & (feature::mirror | feature::dielectric)) && aimed) bits |= feature::caustics;
   return bits;
 }
 
@@ -144,6 +157,7 @@ Prepared prepare(const Scene& scene, const Settings& settings, const BackendChoi
   resolveAll(p, settings);
   requireMemory(p);
   buildStructures(p, cache);
+  findTargets(p);
   resolveRadius(p);
   return p;
 }
@@ -154,6 +168,7 @@ std::optional<Prepared> prepareAgain(const Prepared& before, const CameraDesc& c
   resolveAll(p, settings);
   if (!sameIntegrator(p, before) || reachOf(p.flat->bounds, p.camera.position) > p.flat->reach) return {};
   requireMemory(p, &before);
+  findTargets(p);
   resolveRadius(p);
   return p;
 }

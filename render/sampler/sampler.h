@@ -10,7 +10,7 @@ namespace ropelight::RL_TARGET {
 using Samplers = List<SobolSampler, IndependentSampler>;
 
 /// Separates paths from the camera and paths from the lights.
-enum class Stream : std::uint32_t { camera = 0x243F6A88u, photon = 0x85A308D3u };
+enum class Stream : std::uint32_t { camera = 0x243F6A88u, photon = 0x85A308D3u, caustic = 0x13198A2Eu };
 
 /// A camera path is the pair (pixel, iteration): its scrambling belongs to the pixel and its index is the iteration.
 /// A photon path is (block of 2³² photons, photon number): consecutive photons of all iterations share one sequence.

@@ -68,6 +68,21 @@ struct ChoicesOf<GatherBy> {
   };
 };
 
+/// Which photons a map stores: all, or those of caustics (specular bounces alone between light and surface) and the
+/// others apart.
+enum class PhotonClass : std::uint8_t { every, global, caustic };
+
+/// Where photons of caustics come from.
+enum class Caustics : std::uint8_t { aimed, mixed };
+
+template <>
+struct ChoicesOf<Caustics> {
+  static constexpr Choice<Caustics> table[] = {
+      {Caustics::aimed, "aimed", "photons of their own, aimed at mirrors and glass"},
+      {Caustics::mixed, "mixed", "all photons leave their lights alike"},
+  };
+};
+
 /// What rays go through.
 enum class Accel : std::uint8_t { automatic, bvh, tree, shortStack, brute };
 

@@ -17,13 +17,16 @@ struct Settings {
   Aov aov = Aov::radiance;
   DirectLight direct = DirectLight::shadow;
   GatherBy gather = GatherBy::radius;
+  Caustics caustics = Caustics::aimed;
   Accel accel = Accel::automatic;
   SplitBy split = SplitBy::sah;
   SamplerKind sampler = SamplerKind::sobol;
   int width = 0;                   ///< pixels; 0: the scene's film
   int height = 0;                  ///< pixels; 0: the scene's film
   std::uint64_t photons = 262144;  ///< photon paths an iteration
+  std::uint64_t causticPhotons = 0;  ///< photon paths an iteration for caustics; 0: as many as others
   double radius = 0;               ///< first gather radius, scene units; 0: from the scene
+  double causticRadius = 0;        ///< the same for caustics; 0: from the scene
   double alpha = 2.0 / 3.0;        ///< Knaus & Zwicker's α
   double cellSize = 1;             ///< edge of a grid cell in gather radii
   int nearest = 50;                ///< k of the k-nearest gather
@@ -78,6 +81,23 @@ struct Settings {
         .logarithmic = true});
     v("radius", radius,
       I{.doc = "first gather radius; 0: from the scene",
+        .min = 0,
+        .max = 1e30,
+        .unit = "scene units",
+        .group = "Photons",
+        .logarithmic = true,
+        .zero = "from the scene"});
+    v("caustics", caustics,
+      I{.doc = "where photons of caustics come from", .group = "Photons", .choices = choicesOf<Caustics>});
+    v("caustic-photons", causticPhotons,
+      I{.doc = "photon paths an iteration for caustics; 0: as many as the others",
+        .min = 0,
+        .max = 4294967295.0,
+        .group = "Photons",
+        .high = 16777216,
+        .zero = "as many as the others"});
+    v("caustic-radius", causticRadius,
+      I{.doc = "first gather radius of caustics; 0: from the scene",
         .min = 0,
         .max = 1e30,
         .unit = "scene units",

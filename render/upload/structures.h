@@ -6,12 +6,14 @@
 
 #include "accel/bvh/build.h"
 #include "accel/kdtree/kd_tree.h"
+#include "render/targets/specular_targets.h"
 
 namespace ropelight {
 
 struct SceneStructures {
   std::shared_ptr<const FlatScene> flat;
   FeatureBits features = 0;
+  std::shared_ptr<const std::vector<SpecularTarget>> targets;  ///< null without feature::caustics
   std::shared_ptr<const KdTree> tree;                    ///< null without feature::tree
   std::shared_ptr<const Bvh<2>> bvh;                     ///< null without feature::bvh
   std::shared_ptr<const std::vector<KdTree>> meshTrees;  ///< one an instanced mesh; null without feature::tree

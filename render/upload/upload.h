@@ -17,6 +17,8 @@ inline Sphere toTarget(const FlatSphere& s) {
   return Sphere{Mat3(glm::inverse(s.toWorld)), Mat3(s.toWorld), Vec3(s.center)};
 }
 
+inline Target toTarget(const SpecularTarget& t) { return Target{Vec3(t.center), Real(t.radius)}; }
+
 template <class Kinds = Bsdfs, class... Descs>
 Material toTarget(const std::variant<Descs...>& desc) {
   Material m;
@@ -53,6 +55,7 @@ class DeviceScene {
     view.materials = convert(materials_, "materials", flat.materials);
     view.primitiveCount = flat.primitiveCount();
     uploadLights(flat);
+    if (p.features & feature::caustics) view.targets = convert(targets_, "lights", *p.targets);
     instances_.upload(backend, p, view);
     if (p.features & feature::tree) uploadTree(*p.tree);
     if (p.features & feature::bvh)
@@ -128,6 +131,7 @@ class DeviceScene {
   Buffer<Layer> layers_;
   Buffer<Material> materials_;
   Buffer<Light> lights_;
+  Buffer<Target> targets_;
   Buffer<Real> lightCdf_;
   Buffer<std::uint32_t> lightGuide_;
   Buffer<KdNode> nodes_;

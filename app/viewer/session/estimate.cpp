@@ -7,15 +7,15 @@
 
 namespace ropelight::view {
 
-Settings draftOf(const Settings& settings, const FilmDesc& film, int scale, double firstRadius) {
+Settings draftOf(const Settings& settings, const FilmDesc& film, int scale, FirstRadii resolved) {
   Settings s = settings;
   int const width = s.width > 0 ? s.width : film.width, height = s.height > 0 ? s.height : film.height;
   s.width = std::max(width / scale, 1);
   s.height = std::max(height / scale, 1);
-  s.photons =
-      std::max<std::uint64_t>(s.photons / std::uint64_t(scale * scale), std::min<std::uint64_t>(s.photons, 512));
-  double const radius = s.radius > 0 ? s.radius : firstRadius;
-  s.radius = radius * scale;
+  for (std::uint64_t* photons : {&s.photons, &s.causticPhotons})
+    *photons = std::max<std::uint64_t>(*photons / std::uint64_t(scale * scale), std::min<std::uint64_t>(*photons, 512));
+  s.radius = (s.radius > 0 ? s.radius : resolved.radius) * scale;
+  s.causticRadius = (s.causticRadius > 0 ? s.causticRadius : resolved.caustic) * scale;
   return s;
 }
 
@@ -36,25 +36,28 @@ void Estimate::install(std::unique_ptr<Integrator> next, const Target& target) {
   if (!integrator) return;
   shown_.tree = integrator->tree();
   shown_.frameOrigin = integrator->frameOrigin();
-  resolvedRadius_ = stats_.firstRadius;
+  resolved_ = {stats_.firstRadius, stats_.firstCausticRadius};
   radiusFor_ = target;
 }
 
 bool Estimate::restart(const Target& target, const FilmDesc& film, int coarser, bool still) {
   if (target.scene != applied.scene) return false;
   Settings settings = target.settings;
-  bool const sameRadius = target.settings.radius == applied.settings.radius;
+  bool const sameRadius = target.settings.radius == applied.settings.radius &&
+                          target.settings.causticRadius == applied.settings.causticRadius;
   if (coarser > 1)
-    settings = draftOf(settings, film, coarser, sameRadius ? resolvedRadius_ : 0);
-  else if ((target == radiusFor_ || (!still && sameRadius)) && settings.radius == 0)
-    settings.radius = resolvedRadius_;
+    settings = draftOf(settings, film, coarser, sameRadius ? resolved_ : FirstRadii{});
+  else if (target == radiusFor_ || (!still && sameRadius)) {
+    if (settings.radius == 0) settings.radius = resolved_.radius;
+    if (settings.causticRadius == 0) settings.causticRadius = resolved_.caustic;
+  }
   if (!integrator->restart(target.camera, settings)) return false;
   applied = target;
   scale = coarser;
   settled = coarser == 1 && still;
   clearMeasurements();
   if (settled) {
-    resolvedRadius_ = stats_.firstRadius;
+    resolved_ = {stats_.firstRadius, stats_.firstCausticRadius};
     radiusFor_ = target;
   }
   return true;

@@ -16,9 +16,13 @@ struct Target {
   bool operator==(const Target&) const = default;
 };
 
+/// First gather radii as an integrator resolved them; 0 where they are not known.
+struct FirstRadii {
+  double radius = 0, caustic = 0;
+};
+
 /// A coarser and cheaper version of the settings: every `scale`-th pixel and photon, with discs as much larger.
-/// firstRadius: of the settings, resolved; 0 where it is not known.
-Settings draftOf(const Settings& settings, const FilmDesc& film, int scale, double firstRadius);
+Settings draftOf(const Settings& settings, const FilmDesc& film, int scale, FirstRadii resolved);
 
 class Estimate {
  public:
@@ -69,8 +73,8 @@ class Estimate {
   ErrorCurve curve_;
   Stats stats_;
   double fullSeconds_ = 0;  ///< of one iteration at full size; 0: not known
-  double resolvedRadius_ = 0;
-  Target radiusFor_;  ///< that resolvedRadius_ was found for
+  FirstRadii resolved_;
+  Target radiusFor_;  ///< that resolved_ was found for
 };
 
 }  // namespace ropelight::view
