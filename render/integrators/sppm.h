@@ -2,7 +2,10 @@
 // `sppm`: stochastic progressive photon mapping (Hachisuka & Jensen 2009) with Knaus & Zwicker's independent iterations
 // (2011): each one estimates the image with its own photons and its own radius, and the film is their mean.
 
+#include <bit>
+
 #include "render/integrators/photon_map.h"
+#include "render/kernels/gather_adaptive.h"
 #include "render/kernels/gather_glossy.h"
 
 namespace ropelight::RL_TARGET {
@@ -14,12 +17,15 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   using Buffer = typename Backend::template Buffer<T>;
 
  public:
-  explicit SppmIntegrator(const Prepared& p) : Base(p) { settingsChanged(); }
+  explicit SppmIntegrator(const Prepared& p) : Base(p) {
+    settingsChanged();
+    reset();
+  }
 
   std::uint32_t presentPhotons(std::uint32_t most) override {
     bool const any = hasPhotons() && this->state_.committed > 0;
-    std::uint32_t const others = any ? this->state_.chunkPhotons : 0;
-    std::uint32_t const caustics = any && hasCaustics() ? this->state_.causticPhotons : 0;
+    std::uint32_t const others = any ? this->state_.otherPhotons : 0;
+    std::uint32_t const caustics = any && hasCaustics() ? this->state_.chunkPhotons : 0;
     std::uint64_t const photons = std::uint64_t(others) + caustics;
     this->backend_.activate();
     std::uint32_t const count = std::uint32_t(std::min<std::uint64_t>(photons, most));
@@ -44,10 +50,14 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     std::uint64_t const latest = std::max<std::uint64_t>(s.iterations, 1);
     s.radius = radiusOf(latest, s.firstRadius);
     if (!hasCaustics()) return s;
-    s.photonPaths += s.iterations * this->prepared_.settings.causticPhotons;
     s.firstCausticRadius = this->prepared_.settings.causticRadius;
     s.causticRadius = radiusOf(latest, s.firstCausticRadius);
     return s;
+  }
+
+  void reset() override {
+    Base::reset();
+    if (discs_.size() > 0) this->backend_.clear(discs_);
   }
 
  protected:
@@ -55,11 +65,14 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     const Settings& s = this->prepared_.settings;
     points_.allocate(this->backend_, "gather points", hasPhotons() ? this->frame_.slots() : 0);
     glossy_.allocate(this->backend_, "gather points", hasPhotons() && isGlossy() ? this->frame_.slots() : 0);
+    std::uint32_t const discs = hasPhotons() && hasCaustics() && !isGlossy() ? this->frame_.slots() : 0;
+    discs_.allocate(this->backend_, "gather points", discs);
+    nextScale_.allocate(this->backend_, "gather points", discs);
     if (!hasPhotons()) {
       caustics_.release();
       return map_.release();
     }
-    if (s.photons == plannedPhotons_ && s.causticPhotons == plannedCaustics_ && s.photonMemory == plannedMemory_ &&
+    if (s.photons == plannedPhotons_ && s.causticShare == plannedShare_ && s.photonMemory == plannedMemory_ &&
         s.gather == plannedGather_)
       return;
     budget_ = s.photonMemory > 0 ? s.photonMemory << 20 : this->backend_.device().memory / 4;
@@ -101,15 +114,14 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     caustics_.release();
     for (;; budget_ /= 2) {
       std::uint64_t const forCaustics = hasCaustics() ? causticBudget(budget_) : 0;
-      PhotonPlan const plan = planPhotons(s.photons, budget_ - forCaustics, perPath, tailPerPath);
+      PhotonPlan const plan = planPhotons(others(), budget_ - forCaustics, perPath, tailPerPath);
       if (plan.chunks > 1 && (this->prepared_.features & feature::nearest))
         throw Error("k-nearest gathering needs all photons of an iteration at once, and they do not fit into " +
                         std::to_string(budget_ >> 20) + " MiB; use fewer --photons or -D gather=radius",
                     ExitCode::outOfMemory);
       try {
         map_.allocate(this->backend_, plan, isGlossy());
-        if (hasCaustics())
-          caustics_.allocate(this->backend_, planCaustics(s.causticPhotons, forCaustics), isGlossy());
+        if (hasCaustics()) caustics_.allocate(this->backend_, planCaustics(s.causticPaths(), forCaustics), isGlossy());
         break;
       } catch (const std::bad_alloc&) {
         map_.release();
@@ -118,18 +130,38 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
       }
     }
     plannedPhotons_ = s.photons;
-    plannedCaustics_ = s.causticPhotons;
+    plannedShare_ = s.causticShare;
     plannedMemory_ = s.photonMemory;
     plannedGather_ = s.gather;
   }
 
-  /// Caustics first, so that what is presented of a map is the other's.
+  /// Discs of caustics fit what they lie on, where all photons of an iteration are there at once.
+  bool isAdaptive() const { return hasCaustics() && !isGlossy() && caustics_.plan().chunks == 1; }
+
+  /// Iterations after which discs are looked at: the first eight, then eight an octave.
+  static bool isDue(std::uint64_t i) {
+    int const octave = std::bit_width(i + 1) - 1;
+    return octave < 3 || ((i + 1) & ((std::uint64_t(1) << (octave - 3)) - 1)) == 0;
+  }
+
+  /// Photon paths that are not for caustics.
+  std::uint64_t others() const {
+    const Settings& s = this->prepared_.settings;
+    return hasCaustics() ? s.otherPaths() : s.photons;
+  }
+
+  /// Caustics last: their discs learn from an iteration only once all its photons have found room.
   void gatherPhotons(std::uint64_t i) {
     const Settings& s = this->prepared_.settings;
-    if (hasCaustics())
-      gatherFrom(caustics_, PhotonClass::caustic, i, s.causticPhotons, Real(radiusOf(i + 1, s.causticRadius)));
-    gatherFrom(map_, hasCaustics() ? PhotonClass::global : PhotonClass::every, i, s.photons,
+    gatherFrom(map_, hasCaustics() ? PhotonClass::global : PhotonClass::every, i, others(),
                Real(radiusOf(i + 1, s.radius)));
+    if (!hasCaustics()) return;
+    gatherFrom(caustics_, PhotonClass::caustic, i, s.causticPaths(), Real(radiusOf(i + 1, s.causticRadius)));
+    if (isAdaptive() && isDue(i)) {
+      this->backend_.forEach(this->frame_.slots(), AdaptDiscs{this->frame_, discs_.view(), nextScale_.span()});
+      this->backend_.forEach(this->frame_.slots(),
+                             ResizeDiscs{nextScale_.view(), discs_.span(), this->stateBuffer_.view()});
+    }
   }
 
   void gatherFrom(PhotonMap<Backend>& map, PhotonClass photonClass, std::uint64_t i, std::uint64_t photons,
@@ -143,7 +175,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
       map.build(this->backend_, this->row_, frame, this->stateBuffer_,
                 i * photons + (faulty(Fault::chunkNumbers) ? 0 : first), count, Real(photons), *this->prepared_.flat,
                 radius * Real(this->prepared_.settings.cellSize));
-      gather(map.grid(), radius);
+      gather(map.grid(), radius, photonClass == PhotonClass::caustic && isAdaptive());
     }
   }
 
@@ -154,14 +186,17 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
                            ResolvePhotons{map.grid().positions, map.grid().powers, photons, points.size, points});
   }
 
-  void gather(const PhotonGrid& grid, Real radius) {
+  void gather(const PhotonGrid& grid, Real radius, bool adaptive) {
     const Settings& s = this->prepared_.settings;
     Gathered const output = s.aov == Aov::photonCount    ? Gathered::photonCount
                             : s.aov == Aov::gatherRadius ? Gathered::radius
                                                          : Gathered::radiance;
     GatherView const view{grid, radius, s.maxDepth};
     std::uint32_t const n = this->frame_.slots();
-    if (this->prepared_.features & feature::nearest)
+    if (adaptive)
+      this->backend_.forEach(n, GatherAdaptive{view, points_.view(), this->radiance_.span(), discs_.span(),
+                                               this->stateBuffer_.view(), output});
+    else if (this->prepared_.features & feature::nearest)
       this->backend_.forEach(n, GatherNearest{view, s.nearest, points_.view(), this->radiance_.span(), output});
     else if (isGlossy() && output == Gathered::radiance)
       this->run(n, GatherGlossyArgs{view, this->frame_.scene.materials, points_.view(), glossy_.view(),
@@ -173,9 +208,12 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   PhotonMap<Backend> map_, caustics_;
   Buffer<GatherPoint> points_;
   Buffer<GlossyPoint> glossy_;
+  Buffer<DiscState> discs_;  ///< of caustics
+  Buffer<float> nextScale_;
   Buffer<PhotonPoint> points3d_;  ///< for a window
   std::uint64_t budget_ = 0;
-  std::uint64_t plannedPhotons_ = 0, plannedCaustics_ = 0, plannedMemory_ = 0;
+  std::uint64_t plannedPhotons_ = 0, plannedMemory_ = 0;
+  double plannedShare_ = 0;
   GatherBy plannedGather_ = GatherBy::radius;  ///< read only where plannedPhotons_ is not 0
   double perPath_ = 0, tailPerPath_ = 0;
 };

@@ -28,8 +28,8 @@ struct IterationState {
   std::uint32_t halt = 0;
   std::uint32_t photonsNeeded = 0;  ///< of the chunk that did not fit
   std::uint32_t tailNeeded = 0;
-  std::uint32_t chunkPhotons = 0;    ///< of the chunk being traced
-  std::uint32_t causticPhotons = 0;  ///< of the latest chunk of caustics
+  std::uint32_t chunkPhotons = 0;  ///< of the chunk being traced
+  std::uint32_t otherPhotons = 0;  ///< of the latest chunk that is not of caustics
   unsigned long long pending = 0;  ///< photons of the iteration so far
   unsigned long long committed = 0;
   unsigned long long stored = 0;

@@ -17,8 +17,9 @@ RL_HD inline std::uint32_t tracePhotonPath(const FrameView& frame, std::uint64_t
   Real const uLight = sampler.next1();
   Vec2 const uPoint = sampler.next2(), uDirection = sampler.next2();
   bool const aimed = frame.photonClass == PhotonClass::caustic;
-  Emitted const start = aimed ? emitAimed<F>(frame.scene, uLight, sampler.next1(), uPoint, uDirection, pathsPerIteration)
-                              : emitPhoton<F>(frame.scene, uLight, uPoint, uDirection, pathsPerIteration);
+  Emitted const start = aimed
+                            ? emitAimed<F>(frame.scene, uLight, sampler.next1(), uPoint, uDirection, pathsPerIteration)
+                            : emitPhoton<F>(frame.scene, uLight, uPoint, uDirection, pathsPerIteration);
   Rgb flux = start.flux;
   if (aimed && isBlack(flux)) return 0;
   Flight flight = depart<F>(frame.scene, start.surface, start.direction);
@@ -115,7 +116,7 @@ struct CheckRoom {
     DepositCount const total = store.offsets[store.paths];
     IterationState& s = store.state[0];
     s.chunkPhotons = total.all;
-    if (store.caustics) s.causticPhotons = total.all;
+    if (!store.caustics) s.otherPhotons = total.all;
     s.pending += total.all;
     if (total.all <= store.photonCapacity && total.tail <= store.tailCapacity) return;
     s.halt = 1;

@@ -25,8 +25,8 @@ RL_HD inline Emitted emitPhoton(const SceneView& scene, Real uLight, Vec2 uPoint
   return e;
 }
 
-/// A photon towards specular surfaces; flux 0 where it misses them. uTarget: picks one. Lights that are no surfaces send
-/// it anywhere.
+/// A photon towards specular surfaces; flux 0 where it misses them. uTarget: picks one. Lights that are no surfaces
+/// send it anywhere.
 template <FeatureBits F>
 RL_HD inline Emitted emitAimed(const SceneView& scene, Real uLight, Real uTarget, Vec2 uPoint, Vec2 uDirection,
                                Real paths) {

@@ -10,6 +10,7 @@
 #include "render/core/bytes.h"
 #include "render/core/error.h"
 #include "render/film/image.h"
+#include "render/kernels/gather_adaptive.h"
 #include "render/kernels/photon_plan.h"
 #include "render/kernels/trace_camera.h"
 
@@ -66,7 +67,7 @@ void addMap(const cpu::PhotonPlan& plan, Need& need) {
 bool sameNeed(const Prepared& a, const Prepared& b) {
   auto const key = [](const Prepared& p) {
     const Settings& s = p.settings;
-    return std::tuple(s.width, s.height, s.photons, s.causticPhotons, s.photonMemory,
+    return std::tuple(s.width, s.height, s.photons, s.causticShare, s.photonMemory,
                       p.features & (feature::photons | feature::caustics));
   };
   return key(a) == key(b);
@@ -83,8 +84,11 @@ std::map<std::string, std::uint64_t> memoryNeed(const Settings& s, FeatureBits f
   std::uint64_t const budget = s.photonMemory > 0 ? s.photonMemory << 20 : deviceMemory / 4;
   bool const apart = (features & feature::caustics) != 0;
   std::uint64_t const forCaustics = apart ? cpu::causticBudget(budget) : 0;
-  addMap(cpu::planPhotons(s.photons, budget - forCaustics, cpu::expectedPerPath, cpu::expectedTail), need);
-  if (apart) addMap(cpu::planCaustics(s.causticPhotons, forCaustics), need);
+  addMap(cpu::planPhotons(apart ? s.otherPaths() : s.photons, budget - forCaustics, cpu::expectedPerPath,
+                          cpu::expectedTail),
+         need);
+  if (apart) need["gather points"] += slots * (sizeof(cpu::DiscState) + sizeof(float));
+  if (apart) addMap(cpu::planCaustics(s.causticPaths(), forCaustics), need);
   return need;
 }
 

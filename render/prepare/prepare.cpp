@@ -24,7 +24,6 @@ void resolve(const FilmDesc& film, std::uint32_t primitives, Settings& s) {
   if (s.height == 0) s.height = film.height;
   if (std::uint64_t(s.width) * std::uint64_t(s.height) > (1u << 28))
     throw Error(fmt::format("film: {} x {} pixels; at most 2^28 fit", s.width, s.height), ExitCode::usage);
-  if (s.causticPhotons == 0) s.causticPhotons = s.photons;
   if (s.maxDepth == 0) s.maxDepth = hardDepthLimit;
   if (s.treeDepth == 0) s.treeDepth = automaticTreeDepth(primitives);
 }
@@ -46,11 +45,7 @@ void resolveAll(Prepared& p, const Settings& requested) {
 }
 
 void resolveRadius(Prepared& p) {
-  Settings& s = p.settings;
-  bool const apart = (p.features & feature::caustics) != 0;
-  if ((p.features & feature::photons) && s.radius == 0)
-    s.radius = automaticRadius(p, apart ? PhotonClass::global : PhotonClass::every);
-  if (apart && s.causticRadius == 0) s.causticRadius = automaticRadius(p, PhotonClass::caustic);
+  if (p.features & feature::photons) resolvePhotons(p);
 }
 
 KdSplit splitOf(SplitBy by) {
@@ -115,8 +110,7 @@ void findTargets(Prepared& p) {
 /// What an integrator was compiled and its scene uploaded for.
 bool sameIntegrator(const Prepared& a, const Prepared& b) {
   return integratorOf(a.settings) == integratorOf(b.settings) && rowFor(a.features) == rowFor(b.features) &&
-         (a.features & feature::caustics) == (b.features & feature::caustics) &&
-         a.settings.accel == b.settings.accel &&
+         (a.features & feature::caustics) == (b.features & feature::caustics) && a.settings.accel == b.settings.accel &&
          (!(a.features & feature::tree) || treeConfig(a.settings) == treeConfig(b.settings));
 }
 

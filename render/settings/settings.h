@@ -24,7 +24,7 @@ struct Settings {
   int width = 0;                   ///< pixels; 0: the scene's film
   int height = 0;                  ///< pixels; 0: the scene's film
   std::uint64_t photons = 262144;  ///< photon paths an iteration
-  std::uint64_t causticPhotons = 0;  ///< photon paths an iteration for caustics; 0: as many as others
+  double causticShare = 0;         ///< of the photon paths, for caustics; 0: from the scene
   double radius = 0;               ///< first gather radius, scene units; 0: from the scene
   double causticRadius = 0;        ///< the same for caustics; 0: from the scene
   double alpha = 2.0 / 3.0;        ///< Knaus & Zwicker's α
@@ -39,6 +39,14 @@ struct Settings {
   bool indirectOnly = false;       ///< leave out emission and direct light (paper, Figure 2's indirect part)
 
   bool operator==(const Settings&) const = default;
+
+  /// Photon paths of an iteration for caustics, where they are apart and the share is known; the others are `photons`
+  /// less these. Neither is none.
+  std::uint64_t causticPaths() const {
+    auto const paths = std::uint64_t(causticShare * double(photons));
+    return paths < 1 ? 1 : (paths >= photons && photons > 1 ? photons - 1 : paths);
+  }
+  std::uint64_t otherPaths() const { return photons > 1 ? photons - causticPaths() : 1; }
 
   /// Calls v(name, member, info) for every setting in order.
   template <class V>
@@ -89,13 +97,12 @@ struct Settings {
         .zero = "from the scene"});
     v("caustics", caustics,
       I{.doc = "where photons of caustics come from", .group = "Photons", .choices = choicesOf<Caustics>});
-    v("caustic-photons", causticPhotons,
-      I{.doc = "photon paths an iteration for caustics; 0: as many as the others",
+    v("caustic-share", causticShare,
+      I{.doc = "share of the photon paths that are for caustics; 0: from the scene",
         .min = 0,
-        .max = 4294967295.0,
+        .max = 0.99,
         .group = "Photons",
-        .high = 16777216,
-        .zero = "as many as the others"});
+        .zero = "from the scene"});
     v("caustic-radius", causticRadius,
       I{.doc = "first gather radius of caustics; 0: from the scene",
         .min = 0,

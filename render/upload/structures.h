@@ -14,10 +14,10 @@ struct SceneStructures {
   std::shared_ptr<const FlatScene> flat;
   FeatureBits features = 0;
   std::shared_ptr<const std::vector<SpecularTarget>> targets;  ///< null without feature::caustics
-  std::shared_ptr<const KdTree> tree;                    ///< null without feature::tree
-  std::shared_ptr<const Bvh<2>> bvh;                     ///< null without feature::bvh
-  std::shared_ptr<const std::vector<KdTree>> meshTrees;  ///< one an instanced mesh; null without feature::tree
-  std::shared_ptr<const std::vector<Bvh<2>>> meshBvhs;   ///< likewise without feature::bvh
+  std::shared_ptr<const KdTree> tree;                          ///< null without feature::tree
+  std::shared_ptr<const Bvh<2>> bvh;                           ///< null without feature::bvh
+  std::shared_ptr<const std::vector<KdTree>> meshTrees;        ///< one an instanced mesh; null without feature::tree
+  std::shared_ptr<const std::vector<Bvh<2>>> meshBvhs;         ///< likewise without feature::bvh
 };
 
 }  // namespace ropelight

@@ -78,8 +78,10 @@ Flux fluxOf(const Scene& scene, PhotonClass photons, std::uint32_t count) {
         frame, path, cpu::Real(count),
         [&](std::uint32_t, const cpu::PhotonPosition&, const cpu::PhotonPower& power, cpu::Vec3) {
           double const flux = double(mean(power.flux));
-          if (power.caustic()) ofPath += flux;
-          else sum.other += flux;
+          if (power.caustic())
+            ofPath += flux;
+          else
+            sum.other += flux;
         },
         tally);
     sum.caustic += ofPath;

@@ -167,7 +167,7 @@ TEST_CASE("while paused, a new mode, photons and a reference show without a step
 TEST_CASE("a draft costs less by the square of its scale, and keeps what it can of a small film") {
   Settings s = testing::settingsFor(Mode::sppm, 640, 480);
   s.photons = 1 << 18;
-  Settings const draft = draftOf(s, {512, 512}, 4, {0.01, 0.002});
+  Settings const draft = draftOf(s, {512, 512}, 4, {0.01, 0.002, 0.5});
   CHECK(draft.width == 160);
   CHECK(draft.height == 120);
   CHECK(draft.photons == (1 << 14));
@@ -176,9 +176,9 @@ TEST_CASE("a draft costs less by the square of its scale, and keeps what it can 
   s.radius = 0.5;
   s.photons = 100;
   s.width = 3;
-  CHECK(draftOf(s, {512, 512}, 8, {0.01, 0.002}).radius == doctest::Approx(4));
-  CHECK(draftOf(s, {512, 512}, 8, {0.01, 0.002}).photons == 100);
-  CHECK(draftOf(s, {512, 512}, 8, {0.01, 0.002}).width == 1);
+  CHECK(draftOf(s, {512, 512}, 8, {0.01, 0.002, 0.5}).radius == doctest::Approx(4));
+  CHECK(draftOf(s, {512, 512}, 8, {0.01, 0.002, 0.5}).photons == 100);
+  CHECK(draftOf(s, {512, 512}, 8, {0.01, 0.002, 0.5}).width == 1);
 }
 
 TEST_CASE("an error curve is measured again when the reference improves, and leaves other sizes out") {

@@ -37,9 +37,10 @@ void drawRates(const Stats& stats) {
            fmt::format("{} now, {} at first", shortNumber(stats.radius), shortNumber(stats.firstRadius)),
            "scene units");
   if (stats.firstCausticRadius > 0)
-    valueRow("of caustics",
-             fmt::format("{} now, {} at first", shortNumber(stats.causticRadius), shortNumber(stats.firstCausticRadius)),
-             "scene units");
+    valueRow(
+        "of caustics",
+        fmt::format("{} now, {} at first", shortNumber(stats.causticRadius), shortNumber(stats.firstCausticRadius)),
+        "scene units");
 }
 
 // Counts that should be zero stand out where they are not.

@@ -12,8 +12,9 @@ Settings draftOf(const Settings& settings, const FilmDesc& film, int scale, Firs
   int const width = s.width > 0 ? s.width : film.width, height = s.height > 0 ? s.height : film.height;
   s.width = std::max(width / scale, 1);
   s.height = std::max(height / scale, 1);
-  for (std::uint64_t* photons : {&s.photons, &s.causticPhotons})
-    *photons = std::max<std::uint64_t>(*photons / std::uint64_t(scale * scale), std::min<std::uint64_t>(*photons, 512));
+  s.photons =
+      std::max<std::uint64_t>(s.photons / std::uint64_t(scale * scale), std::min<std::uint64_t>(s.photons, 512));
+  if (s.causticShare == 0) s.causticShare = resolved.causticShare;
   s.radius = (s.radius > 0 ? s.radius : resolved.radius) * scale;
   s.causticRadius = (s.causticRadius > 0 ? s.causticRadius : resolved.caustic) * scale;
   return s;
@@ -36,7 +37,7 @@ void Estimate::install(std::unique_ptr<Integrator> next, const Target& target) {
   if (!integrator) return;
   shown_.tree = integrator->tree();
   shown_.frameOrigin = integrator->frameOrigin();
-  resolved_ = {stats_.firstRadius, stats_.firstCausticRadius};
+  resolved_ = {stats_.firstRadius, stats_.firstCausticRadius, stats_.settings.causticShare};
   radiusFor_ = target;
 }
 
@@ -50,6 +51,7 @@ bool Estimate::restart(const Target& target, const FilmDesc& film, int coarser, 
   else if (target == radiusFor_ || (!still && sameRadius)) {
     if (settings.radius == 0) settings.radius = resolved_.radius;
     if (settings.causticRadius == 0) settings.causticRadius = resolved_.caustic;
+    if (settings.causticShare == 0) settings.causticShare = resolved_.causticShare;
   }
   if (!integrator->restart(target.camera, settings)) return false;
   applied = target;
@@ -57,7 +59,7 @@ bool Estimate::restart(const Target& target, const FilmDesc& film, int coarser, 
   settled = coarser == 1 && still;
   clearMeasurements();
   if (settled) {
-    resolved_ = {stats_.firstRadius, stats_.firstCausticRadius};
+    resolved_ = {stats_.firstRadius, stats_.firstCausticRadius, stats_.settings.causticShare};
     radiusFor_ = target;
   }
   return true;

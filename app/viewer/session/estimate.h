@@ -16,9 +16,10 @@ struct Target {
   bool operator==(const Target&) const = default;
 };
 
-/// First gather radii as an integrator resolved them; 0 where they are not known.
+/// What an integrator found for the photons; 0 where it is not known.
 struct FirstRadii {
   double radius = 0, caustic = 0;
+  double causticShare = 0;
 };
 
 /// A coarser and cheaper version of the settings: every `scale`-th pixel and photon, with discs as much larger.
