@@ -8,7 +8,7 @@
 #include "render/core/error.h"
 #include "render/integrators/photon_bins.h"
 #include "render/kernels/gather.h"
-#include "render/kernels/photon_plan.h"
+#include "render/photons/photon_plan.h"
 
 namespace ropelight::RL_TARGET {
 

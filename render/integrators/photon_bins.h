@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "accel/photon_grid/grid_layout.h"
-#include "render/kernels/bin_photons.h"
+#include "render/photons/bin_photons.h"
 
 namespace ropelight::RL_TARGET {
 

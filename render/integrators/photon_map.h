@@ -5,9 +5,9 @@
 
 #include "render/integrators/base.h"
 #include "render/integrators/photon_bins.h"
-#include "render/kernels/photon_plan.h"
 #include "render/kernels/trace_photons.h"
 #include "render/launch/launch.h"
+#include "render/photons/photon_plan.h"
 
 namespace ropelight::RL_TARGET {
 

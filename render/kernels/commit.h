@@ -2,7 +2,7 @@
 // The film takes an iteration only where nothing halted it, so that the host need not look before the next one starts.
 
 #include "render/backend/tally.h"
-#include "render/kernels/photon_store.h"
+#include "render/photons/photon_store.h"
 
 namespace ropelight::RL_TARGET {
 

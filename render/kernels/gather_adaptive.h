@@ -5,7 +5,7 @@
 
 #include "render/kernels/frame_view.h"
 #include "render/kernels/gather.h"
-#include "render/kernels/photon_store.h"
+#include "render/photons/photon_store.h"
 
 namespace ropelight::RL_TARGET {
 

@@ -3,8 +3,8 @@
 
 #include "render/backend/tally.h"
 #include "render/kernels/frame_view.h"
-#include "render/kernels/photon_store.h"
 #include "render/light/lights.h"
+#include "render/photons/photon_store.h"
 
 namespace ropelight::RL_TARGET {
 

@@ -11,8 +11,8 @@
 #include "render/core/error.h"
 #include "render/film/image.h"
 #include "render/kernels/gather_adaptive.h"
-#include "render/kernels/photon_plan.h"
 #include "render/kernels/trace_camera.h"
+#include "render/photons/photon_plan.h"
 
 namespace ropelight {
 namespace {

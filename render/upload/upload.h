@@ -55,7 +55,7 @@ class DeviceScene {
     view.materials = convert(materials_, "materials", flat.materials);
     view.primitiveCount = flat.primitiveCount();
     uploadLights(flat);
-    if (p.features & feature::caustics) view.targets = convert(targets_, "lights", *p.targets);
+    if (p.targets) view.targets = convert(targets_, "lights", *p.targets);
     instances_.upload(backend, p, view);
     if (p.features & feature::tree) uploadTree(*p.tree);
     if (p.features & feature::bvh)

@@ -1,6 +1,6 @@
 // From photons in slots to photons by cell, and how their normals are packed.
 
-#include "render/kernels/bin_photons.h"
+#include "render/photons/bin_photons.h"
 
 #include <doctest/doctest.h>
 

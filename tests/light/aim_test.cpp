@@ -38,7 +38,7 @@ Scene mirrorRing(int pieces) {
   for (int i = 0; i < pieces; ++i) {
     double const a = 2 * M_PI * i / pieces, b = 2 * M_PI * (i + 1) / pieces;
     Vec3d const p(std::cos(a), 0.01, std::sin(a)), q(std::cos(b), 0.01, std::sin(b));
-    addQuad(scene, p, q - p, {0, 0.3, 0}, mirror);
+    addQuad(scene, p, q - p, {0, 0.1, 0}, mirror);
   }
   addSphere(scene, {-2, 2, 0}, 0.05).emission = Emission{Rgb(1000), Side::out};
   return scene;
@@ -139,7 +139,9 @@ TEST_CASE("an aimed direction weighs what the targets cover of the cosine's hemi
 }
 
 TEST_CASE("caustics have the same flux from photons of their own, and the others lack it") {
-  for (const Scene& scene : {mirrorRing(64), glassOverFloor(false), glassOverFloor(true)}) {
+  // A lamp within glass sends all its light there: aiming changes nothing.
+  for (auto const& [scene, gain] :
+       {std::pair(mirrorRing(64), 3.0), std::pair(glassOverFloor(false), 1.5), std::pair(glassOverFloor(true), 0.98)}) {
     std::uint32_t const count = 200000;
     Flux const all = fluxOf(scene, PhotonClass::every, count), own = fluxOf(scene, PhotonClass::caustic, count),
                others = fluxOf(scene, PhotonClass::global, count);
@@ -147,7 +149,7 @@ TEST_CASE("caustics have the same flux from photons of their own, and the others
     CHECK(others.caustic == 0);
     CHECK(others.other == doctest::Approx(all.other).epsilon(1e-9));
     CHECK(std::abs(own.caustic - all.caustic) < 4 * std::hypot(own.spread, all.spread));
-    CHECK(own.spread < all.spread);
+    CHECK(own.spread * gain < all.spread);
   }
 }
 

@@ -10,7 +10,7 @@
 #include "app/stress/families/families.h"
 #include "measure/scenes/scene_kit.h"
 #include "render/flatten/flatten.h"
-#include "render/kernels/photon_plan.h"
+#include "render/photons/photon_plan.h"
 
 namespace ropelight::families {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "accel/photon_grid/photon_grid.h"
 #include "render/backend/tally.h"
-#include "render/kernels/photon_store.h"
+#include "render/photons/photon_store.h"
 
 namespace ropelight::RL_TARGET {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "render/kernels/photon_store.h"
+#include "render/photons/photon_store.h"
 
 namespace ropelight::RL_TARGET {
 
