@@ -42,6 +42,7 @@ enum class Fault {
   otherSide,        ///< photons count on both sides of a wall
   discHeight,       ///< discs are cylinders without ends
   chunkNumbers,     ///< every pass of an iteration traces the same photons
+  wholeDisc,        ///< discs are not cut at the edges of what they lie on
   foreignRows,      ///< photons of colliding rows of the grid are not told apart
   lampCone,         ///< 1 − cos of a lamp's cone as written, which cancels where the lamp is small
 };

@@ -34,6 +34,7 @@ namespace ropelight::RL_TARGET {
 
 // The overloads for Real: an unqualified abs(float) would otherwise find C's abs(int).
 using std::abs;
+using std::atan2;
 using std::copysign;
 using std::cos;
 using std::exp;

@@ -54,6 +54,7 @@ struct FlatScene {
   std::vector<FlatQuad> quads;
   std::vector<FlatSphere> spheres;
   std::vector<FlatTriangle> triangles;
+  std::vector<FlatQuad> hiddenFaces;  ///< of solids that stand on something: left out, nothing can reach them
   std::vector<FlatInstance> instances;
   std::vector<std::shared_ptr<const FlatScene>> meshes;  ///< instanced
   std::vector<std::uint32_t> material;                   ///< by primitive; empty in an instanced mesh

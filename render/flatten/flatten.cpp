@@ -74,8 +74,11 @@ class Flattener {
   bool leftOut() { return std::binary_search(except_.hidden.begin(), except_.hidden.end(), number_++); }
 
   void addFace(const ShapeDesc& shape, Vec3d a, Vec3d b, Vec3d c, Vec3d d) {
-    if (leftOut()) return;
     FlatQuad const quad{{a, b, c, d}};
+    if (leftOut()) {
+      out_.hiddenFaces.push_back(quad);
+      return;
+    }
     out_.quads.push_back(quad);
     add(shape, area(quad));
   }
@@ -111,10 +114,13 @@ class Flattener {
     const Mesh& mesh = scene_.meshes[std::size_t(s.mesh)];
     bool const mirrored = glm::determinant(Mat3d(s.toWorld)) < 0;
     for (glm::uvec3 t : mesh.triangles) {
-      if (leftOut()) continue;
       if (mirrored) std::swap(t.y, t.z);
       FlatTriangle const triangle{apply(s.toWorld, mesh.positions[t.x]), apply(s.toWorld, mesh.positions[t.y]),
                                   apply(s.toWorld, mesh.positions[t.z])};
+      if (leftOut()) {
+        out_.hiddenFaces.push_back({{triangle.a, triangle.b, triangle.c, triangle.c}});
+        continue;
+      }
       out_.triangles.push_back(triangle);
       add(s, area(triangle));
     }

@@ -26,8 +26,9 @@ Vec3d frameOrigin(const Bounds& bounds) {
 }
 
 void moveBy(FlatScene& flat, Vec3d offset) {
-  for (FlatQuad& quad : flat.quads)
-    for (Vec3d& corner : quad.corner) corner += offset;
+  for (auto* quads : {&flat.quads, &flat.hiddenFaces})
+    for (FlatQuad& quad : *quads)
+      for (Vec3d& corner : quad.corner) corner += offset;
   for (FlatSphere& sphere : flat.spheres) sphere.center += offset;
   for (FlatTriangle& t : flat.triangles)
     for (Vec3d* corner : {&t.a, &t.b, &t.c}) *corner += offset;

@@ -191,7 +191,8 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     Gathered const output = s.aov == Aov::photonCount    ? Gathered::photonCount
                             : s.aov == Aov::gatherRadius ? Gathered::radius
                                                          : Gathered::radiance;
-    GatherView const view{grid, radius, s.maxDepth};
+    const SceneView& scene = this->frame_.scene;
+    GatherView const view{grid, radius, s.maxDepth, PlaneView{scene.planePieces, scene.planeFirst}};
     std::uint32_t const n = this->frame_.slots();
     if (adaptive)
       this->backend_.forEach(n, GatherAdaptive{view, points_.view(), this->radiance_.span(), discs_.span(),

@@ -26,6 +26,15 @@ struct alignas(16) Target {
   Real radius = 0;
 };
 
+/// A quad or what stands on one (render/targets/planes.h). covers: the normal of the side that it hides; 0: none.
+struct PlanePiece {
+  Vec3 corner[4];
+  Vec3 normal{0};  ///< of the corners' order
+  Vec3 covers{0};
+  Vec3 center{0};
+  Real reach = 0;  ///< from the centre to the farthest corner
+};
+
 struct SceneView {
   Span<const Quad> quads;
   Span<const Sphere> spheres;
@@ -40,6 +49,8 @@ struct SceneView {
   Span<const Real> lightCdf;             ///< inclusive sums of Light::pick
   Span<const std::uint32_t> lightGuide;  ///< by which they are searched (render/light/guide_table.h)
   Span<const Target> targets;            ///< together they hold all specular surfaces
+  Span<const PlanePiece> planePieces;    ///< quads, each with what stands on it
+  Span<const std::uint32_t> planeFirst;  ///< by quad; empty where no gather asks
   Real power = 0;                        ///< of all lights: mean over the channels, watts
   std::uint32_t primitiveCount = 0;      ///< instances included; hits on their triangles have higher numbers
   KdTreeView tree;

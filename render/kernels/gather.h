@@ -12,7 +12,7 @@ enum class Gathered : std::uint8_t { radiance, photonCount, radius };
 /// Adds an estimate to the film.
 RL_HD inline void putGathering(Rgb& film, const GatherPoint& g, const Gathering& sum, Gathered output) {
   if (output == Gathered::radiance) {
-    if (sum.radius2 > 0) film += g.weight * sum.flux * float(invPi / sum.radius2);
+    if (sum.radius2 > 0) film += g.weight * sum.flux * float(invPi / (sum.radius2 * sum.share));
   } else if (output == Gathered::photonCount) {
     film += Rgb(float(sum.count));
   } else {

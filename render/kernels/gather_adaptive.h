@@ -93,6 +93,7 @@ struct GatherAdaptive {
       moments.squares += flux * flux;
       moments.radial += flux * (float(distance2) * inverse - 0.5f);
     });
+    sum.share = here.share(g, sum.radius2);
     return sum;
   }
 };

@@ -33,7 +33,8 @@ struct GatherGlossy : GatherGlossyArgs {
     if (seen.material == GlossyPoint::none)
       putGathering(radiance[slot], g, gatherDisc(view, g), Gathered::radiance);
     else
-      radiance[slot] += g.weight * reflected(g, seen) * float(invPi / square(view.radius));
+      radiance[slot] +=
+          g.weight * reflected(g, seen) * float(invPi / (square(view.radius) * view.share(g, square(view.radius))));
   }
 
  private:

@@ -142,10 +142,12 @@ RL_HD inline Gathering gatherNearest(const GatherView& view, const GatherPoint& 
                        }
                      });
   sum.radius2 = square(view.radius);
+  sum.share = view.share(g, sum.radius2);
   if (range.place == 0) return sum;
   for (int i = 0; i + 1 < range.place; ++i) sum.flux += view.grid.powers[std::uint32_t(list[i])].flux;
   sum.count = std::uint32_t(k);
   sum.radius2 = Real(floatOf(std::uint32_t(list[range.place - 1] >> 32)));
+  sum.share = view.share(g, sum.radius2);
   return sum;
 }
 

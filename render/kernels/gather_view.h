@@ -2,6 +2,7 @@
 // Which photons count at a gather point.
 
 #include "accel/photon_grid/photon_grid.h"
+#include "render/kernels/plane_share.h"
 #include "render/kernels/trace_camera.h"
 
 namespace ropelight::RL_TARGET {
@@ -11,17 +12,23 @@ inline constexpr Real discThickness = Real(0.2);
 /// Photons count where their surface turns from the gather point's by less than acos of this.
 inline constexpr Real sameSide = Real(0.1);
 
-/// flux: of the photons over the disc. count: photons found. radius2: squared radius of the disc.
+/// On a quad only the quad's photons count.
+inline constexpr Real samePlane = Real(0.9998);
+
+/// flux: of the photons over the disc. count: photons found. radius2: squared radius of the disc. share: of the disc,
+/// on which photons can land.
 struct Gathering {
   Rgb flux{0.0f};
   std::uint32_t count = 0;
   Real radius2 = 0;
+  Real share = 1;
 };
 
 struct GatherView {
   PhotonGrid grid;
   Real radius = 0;
   int maxDepth = 0;
+  PlaneView planes = {};
 
   /// Whether the photon lies within the disc, and its squared distance from the axis. Always the same for the same
   /// arguments: no compiler may round it one way here and another way there.
@@ -37,12 +44,13 @@ struct GatherView {
   /// perhaps for farther ones.
   template <class Take>
   RL_HD void forEachOnDisc(const GatherPoint& g, Real most, Take&& take) const {
+    bool const edge = planes.knows(g.surface) && !planes.surrounds(g.surface, g.p, sqrt(most));
     grid.forEachNear(
         neighbourhood(g, most),
         [&](const PhotonPosition& photon, Real& distance2) { return onDisc(g, photon, distance2); },
         [&](std::uint32_t k, Real distance2, const PhotonPosition& photon) {
           PhotonPower const power = grid.powers[k];
-          if (counts(g, photon, power)) take(k, distance2, power);
+          if (counts(g, photon, power) && (!edge || planes.holds(g.surface, photon.p))) take(k, distance2, power);
         });
   }
 
@@ -51,13 +59,20 @@ struct GatherView {
     return power.edges() + g.edges <= std::uint32_t(maxDepth) && sameSurface(g, photon);
   }
 
+  /// Of the disc about a gather point, on which photons can land.
+  RL_HD Real share(const GatherPoint& g, Real radius2) const {
+    return planes.knows(g.surface) && !faulty(Fault::wholeDisc) ? planes.share(g.surface, g.p, g.n, sqrt(radius2))
+                                                                : Real(1);
+  }
+
  private:
-  RL_HD static bool sameSurface(const GatherPoint& g, const PhotonPosition& photon) {
+  RL_HD bool sameSurface(const GatherPoint& g, const PhotonPosition& photon) const {
     if (faulty(Fault::otherSide)) return true;
     if (photon.normal == g.packedNormal) return true;  // the usual case, without decoding
     Vec3 const n = unpackOctahedron(photon.normal);
     Real const cosine = dot(n, g.n);
-    return cosine > 0 && cosine * cosine > square(sameSide) * lengthSquared(n);
+    Real const least = planes.knows(g.surface) ? samePlane : sameSide;
+    return cosine > 0 && cosine * cosine > square(least) * lengthSquared(n);
   }
 
   /// The disc with its thickness: tilted, it reaches up to 2% farther than its radius.
@@ -77,6 +92,7 @@ RL_HD inline Gathering gatherDisc(const GatherView& view, const GatherPoint& g) 
     sum.flux += power.flux;
     ++sum.count;
   });
+  sum.share = view.share(g, sum.radius2);
   return sum;
 }
 

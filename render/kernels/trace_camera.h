@@ -15,6 +15,7 @@ struct alignas(16) GatherPoint {
   Vec3 n;
   std::uint32_t packedNormal;
   Rgb weight;
+  std::uint32_t surface = noPrimitive;  ///< the primitive
 };
 
 /// What a gather point needs besides, where photons count by their direction. back: unit, towards the camera.
@@ -123,7 +124,7 @@ struct TraceCamera : TraceCameraArgs {
   RL_HD void putPoint(const Bsdf& bsdf, const Surface& s, Vec3 wo, Vec3 back, const Chain& chain,
                       std::uint32_t slot) const {
     Vec3 const n = wo.z < 0 ? -s.n : s.n;
-    GatherPoint point{s.p, std::uint32_t(chain.edges), n, packDirection(n), chain.throughput};
+    GatherPoint point{s.p, std::uint32_t(chain.edges), n, packDirection(n), chain.throughput, s.primitive};
     bool perPhoton = false;
     if constexpr ((F & feature::glossy) != 0) {
       perPhoton = (bsdf.lobes() & lobe::glossy) != 0;

@@ -17,6 +17,8 @@ using namespace cpu;  // the pilot runs on the CPU alone
 
 /// Expected photons in the first disc, from radius sweeps over the assets (docs/benchmarks/first-radius.md).
 constexpr double photonsPerDisc = 24;
+/// The same on quads, at whose edges discs are cut, so that there is less bias to be feared.
+constexpr double photonsPerPlaneDisc = 60;
 /// The same of caustics, whose discs shrink to fit: by sweeps over scenes of caustics (docs/benchmarks/caustics.md).
 constexpr double causticsPerDisc = 80;
 constexpr int pilotWidth = 48;
@@ -143,6 +145,16 @@ class Pilot {
     return weights;
   }
 
+  /// Photons in the first disc: between those of quads and of other surfaces, by what they weigh.
+  double photonsWanted(const Survey& survey) const {
+    double plane = 0, total = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      total += survey.radiance(i);
+      if (points_[i].surface < prepared_.flat->quads.size()) plane += survey.radiance(i);
+    }
+    return total > 0 ? photonsPerDisc + (photonsPerPlaneDisc - photonsPerDisc) * plane / total : photonsPerDisc;
+  }
+
  private:
   std::vector<PilotPhoton> collect(double& traced) {
     std::vector<std::vector<PilotPhoton>> byPath(pathBatch);
@@ -221,7 +233,7 @@ void resolvePhotons(Prepared& p) {
   Pilot pilot(p);
   if (!apart) {
     Survey const all = pilot.survey(PhotonClass::every);
-    s.radius = radiusFor(photonsPerDisc, all, typicalDistance2(all, radiances(all)), p, s.photons);
+    s.radius = radiusFor(pilot.photonsWanted(all), all, typicalDistance2(all, radiances(all)), p, s.photons);
     return;
   }
   Survey const caustics = pilot.survey(PhotonClass::caustic), others = pilot.survey(PhotonClass::global);
@@ -231,7 +243,8 @@ void resolvePhotons(Prepared& p) {
     s.causticRadius =
         radiusFor(causticsPerDisc, caustics, typicalDistance2(caustics, weights.caustics), p, s.causticPaths());
   if (s.radius == 0)
-    s.radius = radiusFor(photonsPerDisc, others, typicalDistance2(others, radiances(others)), p, s.otherPaths());
+    s.radius =
+        radiusFor(pilot.photonsWanted(others), others, typicalDistance2(others, radiances(others)), p, s.otherPaths());
 }
 
 }  // namespace ropelight

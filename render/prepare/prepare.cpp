@@ -103,6 +103,8 @@ void buildStructures(Prepared& p, SceneCache& cache) {
 }
 
 void findTargets(Prepared& p) {
+  if ((p.features & feature::photons) && (p.features & feature::quads) && !p.planes)
+    p.planes = std::make_shared<const PlaneParts>(planeParts(*p.flat));
   if ((p.features & feature::caustics) && !p.targets)
     p.targets = std::make_shared<const std::vector<SpecularTarget>>(specularTargets(*p.flat));
 }

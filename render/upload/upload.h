@@ -17,6 +17,21 @@ inline Sphere toTarget(const FlatSphere& s) {
   return Sphere{Mat3(glm::inverse(s.toWorld)), Mat3(s.toWorld), Vec3(s.center)};
 }
 
+inline PlanePiece toTarget(const PlanePart& p) {
+  PlanePiece piece;
+  const Vec3d* const c = p.quad.corner;
+  Vec3d const center = 0.25 * (c[0] + c[1] + c[2] + c[3]);
+  Vec3d const n = glm::normalize(glm::cross(c[1] - c[0], c[2] - c[0]));
+  for (int k = 0; k < 4; ++k) {
+    piece.corner[k] = Vec3(c[k]);
+    piece.reach = maxOf(piece.reach, Real(glm::length(c[k] - center)) * Real(1.0001));
+  }
+  piece.normal = Vec3(n);
+  if (p.covers) piece.covers = Vec3(-n);
+  piece.center = Vec3(center);
+  return piece;
+}
+
 inline Target toTarget(const SpecularTarget& t) { return Target{Vec3(t.center), Real(t.radius)}; }
 
 template <class Kinds = Bsdfs, class... Descs>
@@ -55,6 +70,10 @@ class DeviceScene {
     view.materials = convert(materials_, "materials", flat.materials);
     view.primitiveCount = flat.primitiveCount();
     uploadLights(flat);
+    if (p.planes) {
+      view.planePieces = convert(planePieces_, "quads", p.planes->parts);
+      view.planeFirst = copy(planeFirst_, "quads", p.planes->first);
+    }
     if (p.targets) view.targets = convert(targets_, "lights", *p.targets);
     instances_.upload(backend, p, view);
     if (p.features & feature::tree) uploadTree(*p.tree);
@@ -131,6 +150,8 @@ class DeviceScene {
   Buffer<Layer> layers_;
   Buffer<Material> materials_;
   Buffer<Light> lights_;
+  Buffer<PlanePiece> planePieces_;
+  Buffer<std::uint32_t> planeFirst_;
   Buffer<Target> targets_;
   Buffer<Real> lightCdf_;
   Buffer<std::uint32_t> lightGuide_;

@@ -30,6 +30,7 @@ constexpr Mutation mutations[] = {
     {Fault::otherSide, "photons count through a wall", "thin wall"},
     {Fault::discHeight, "discs without ends", "radii"},
     {Fault::chunkNumbers, "every pass has the same photons", "memory"},
+    {Fault::wholeDisc, "walls darken towards their edges", "edges"},
     {Fault::foreignRows, "colliding rows count twice", "collisions"},
     {Fault::lampCone, "1 - cos cancels", "small light"},
 };
@@ -48,7 +49,7 @@ CaseResult run(const StressCase& c, Fault fault) {
 }  // namespace
 
 TEST_SUITE("slow") {
-  TEST_CASE("stress finds each of eleven faults") {
+  TEST_CASE("stress finds each of twelve faults") {
     CHECK(run(chooseCases(stressCatalogue(), {"thin wall"}, true)[0].cases[0], Fault::none).verdict() == Holds::yes);
     for (const Mutation& m : mutations) {
       std::string const what = m.what;
