@@ -192,7 +192,8 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
                             : s.aov == Aov::gatherRadius ? Gathered::radius
                                                          : Gathered::radiance;
     const SceneView& scene = this->frame_.scene;
-    GatherView const view{grid, radius, s.maxDepth, PlaneView{scene.planePieces, scene.planeFirst}};
+    GatherView const view{grid, radius, s.maxDepth, PlaneView{scene.planePieces, scene.planeFirst},
+                          adaptive ? Real(1) : Real(s.quadScale)};
     std::uint32_t const n = this->frame_.slots();
     if (adaptive)
       this->backend_.forEach(n, GatherAdaptive{view, points_.view(), this->radiance_.span(), discs_.span(),

@@ -33,22 +33,23 @@ struct GatherGlossy : GatherGlossyArgs {
     if (seen.material == GlossyPoint::none)
       putGathering(radiance[slot], g, gatherDisc(view, g), Gathered::radiance);
     else
-      radiance[slot] +=
-          g.weight * reflected(g, seen) * float(invPi / (square(view.radius) * view.share(g, square(view.radius))));
+      radiance[slot] += g.weight * reflected(g, seen);
   }
 
  private:
-  /// Σ f(wo, wi)·Φ over the disc.
+  /// Σ f(wo, wi)·Φ over the disc's area.
   RL_HD Rgb reflected(const GatherPoint& g, const GlossyPoint& seen) const {
     Rgb sum(0.0f);
+    GatherView const here = view.on(g);
     Frame const local(seen.inner ? -g.n : g.n);
     Vec3 const wo = local.toLocal(seen.back);
     visitBsdf<F>(materials[seen.material], [&](const auto& bsdf) {
-      view.forEachOnDisc(g, square(view.radius), [&](std::uint32_t k, Real, const PhotonPower& power) {
+      here.forEachOnDisc(g, square(here.radius), [&](std::uint32_t k, Real, const PhotonPower& power) {
         sum += bsdf.eval(wo, local.toLocal(unpackDirection(view.grid.directions[k]))) * power.flux;
       });
     });
-    return sum;
+    Real const radius2 = square(here.radius);
+    return sum * float(invPi / (radius2 * here.share(g, radius2)));
   }
 };
 

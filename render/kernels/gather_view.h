@@ -29,6 +29,14 @@ struct GatherView {
   Real radius = 0;
   int maxDepth = 0;
   PlaneView planes = {};
+  Real planeScale = 1;  ///< by which the radius is larger on quads, whose discs are cut at edges
+
+  /// With the radius that the gather point's surface has.
+  RL_HD GatherView on(const GatherPoint& g) const {
+    GatherView here = *this;
+    if (planes.knows(g.surface)) here.radius = radius * planeScale;
+    return here;
+  }
 
   /// Whether the photon lies within the disc, and its squared distance from the axis. Always the same for the same
   /// arguments: no compiler may round it one way here and another way there.
@@ -85,7 +93,8 @@ struct GatherView {
 };
 
 /// All photons within the radius, over its full disc; added up in the order of the grid.
-RL_HD inline Gathering gatherDisc(const GatherView& view, const GatherPoint& g) {
+RL_HD inline Gathering gatherDisc(const GatherView& anywhere, const GatherPoint& g) {
+  GatherView const view = anywhere.on(g);
   Gathering sum;
   sum.radius2 = square(view.radius);
   view.forEachOnDisc(g, sum.radius2, [&](std::uint32_t, Real, const PhotonPower& power) {

@@ -17,8 +17,6 @@ using namespace cpu;  // the pilot runs on the CPU alone
 
 /// Expected photons in the first disc, from radius sweeps over the assets (docs/benchmarks/first-radius.md).
 constexpr double photonsPerDisc = 24;
-/// The same on quads, at whose edges discs are cut, so that there is less bias to be feared.
-constexpr double photonsPerPlaneDisc = 60;
 /// The same of caustics, whose discs shrink to fit: by sweeps over scenes of caustics (docs/benchmarks/caustics.md).
 constexpr double causticsPerDisc = 80;
 constexpr int pilotWidth = 48;
@@ -145,16 +143,6 @@ class Pilot {
     return weights;
   }
 
-  /// Photons in the first disc: between those of quads and of other surfaces, by what they weigh.
-  double photonsWanted(const Survey& survey) const {
-    double plane = 0, total = 0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      total += survey.radiance(i);
-      if (points_[i].surface < prepared_.flat->quads.size()) plane += survey.radiance(i);
-    }
-    return total > 0 ? photonsPerDisc + (photonsPerPlaneDisc - photonsPerDisc) * plane / total : photonsPerDisc;
-  }
-
  private:
   std::vector<PilotPhoton> collect(double& traced) {
     std::vector<std::vector<PilotPhoton>> byPath(pathBatch);
@@ -209,7 +197,7 @@ double radiusFor(double wanted, const Survey& survey, double distance2, const Pr
   double const size = glm::length(flat.bounds.extent());
   double const perPath = (neighbours - 1) / (M_PI * distance2 * survey.paths);  // photons per area and path
   double const radius = distance2 > 0 ? std::sqrt(wanted / (M_PI * perPath * double(paths))) : 0;
-  return std::clamp(std::max(radius, 0.5 * footprint), 1e-6 * size, 0.25 * size);
+  return std::clamp(std::max(radius, 0.5 * footprint), 1e-6 * size, 0.05 * size);
 }
 
 /// The share of caustics c by which Σ wc/c + Σ wo/(1 − c) is the least.
@@ -233,7 +221,7 @@ void resolvePhotons(Prepared& p) {
   Pilot pilot(p);
   if (!apart) {
     Survey const all = pilot.survey(PhotonClass::every);
-    s.radius = radiusFor(pilot.photonsWanted(all), all, typicalDistance2(all, radiances(all)), p, s.photons);
+    s.radius = radiusFor(photonsPerDisc, all, typicalDistance2(all, radiances(all)), p, s.photons);
     return;
   }
   Survey const caustics = pilot.survey(PhotonClass::caustic), others = pilot.survey(PhotonClass::global);
@@ -243,8 +231,7 @@ void resolvePhotons(Prepared& p) {
     s.causticRadius =
         radiusFor(causticsPerDisc, caustics, typicalDistance2(caustics, weights.caustics), p, s.causticPaths());
   if (s.radius == 0)
-    s.radius =
-        radiusFor(pilot.photonsWanted(others), others, typicalDistance2(others, radiances(others)), p, s.otherPaths());
+    s.radius = radiusFor(photonsPerDisc, others, typicalDistance2(others, radiances(others)), p, s.otherPaths());
 }
 
 }  // namespace ropelight

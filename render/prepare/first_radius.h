@@ -8,10 +8,10 @@ namespace ropelight {
 
 /// Fills in the first radii and the share of caustics that are 0. The same for every backend and number of threads.
 ///
-/// The first radius is that whose disc holds 24 photons of one iteration, or up to 60 where quads are seen, at the
+/// The first radius is that whose disc holds `photonsPerDisc` photons of one iteration at the
 /// typical gather point: the median over points seen by the camera, weighted by the radiance that photons bring there,
 /// so that a small bright caustic counts and a floor without photons does not. At least half a pixel's footprint, at
-/// most a quarter of the scene's diagonal. That of caustics is weighted by the part that they have in relMSE, since
+/// most a twentieth of the scene's diagonal. That of caustics is weighted by the part that they have in relMSE, since
 /// their discs shrink where they are bright. The share of caustics is that which makes the variance in relMSE the least
 /// for the number of photons, were all discs to hold as many of either kind.
 void resolvePhotons(Prepared& prepared);

@@ -26,6 +26,7 @@ struct Settings {
   std::uint64_t photons = 262144;  ///< photon paths an iteration
   double causticShare = 0;         ///< of the photon paths, for caustics; 0: from the scene
   double radius = 0;               ///< first gather radius, scene units; 0: from the scene
+  double quadScale = 1.6;          ///< radius on quads, whose discs are cut at edges, over that on other surfaces
   double causticRadius = 0;        ///< the same for caustics; 0: from the scene
   double alpha = 2.0 / 3.0;        ///< Knaus & Zwicker's α
   double cellSize = 1;             ///< edge of a grid cell in gather radii
@@ -95,6 +96,12 @@ struct Settings {
         .group = "Photons",
         .logarithmic = true,
         .zero = "from the scene"});
+    v("quad-scale", quadScale,
+      I{.doc = "radius on quads, whose discs are cut at edges, over that elsewhere; not of caustics",
+        .min = 0.1,
+        .max = 10,
+        .group = "Photons",
+        .logarithmic = true});
     v("caustics", caustics,
       I{.doc = "where photons of caustics come from", .group = "Photons", .choices = choicesOf<Caustics>});
     v("caustic-share", causticShare,

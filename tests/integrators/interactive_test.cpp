@@ -202,7 +202,7 @@ TEST_CASE("the gather's own films: photons counted, and the radius that was sear
   s.radius = 0.05;
   Stats stats;
   Image const radius = renderImage(scene, s, 1, &stats);
-  CHECK(radius.at(20, 14).x == doctest::Approx(stats.radius));
+  CHECK(radius.at(20, 14).x == doctest::Approx(stats.radius * stats.settings.quadScale));
   s.gather = GatherBy::nearest;
   s.nearest = 3;
   Image const nearest = renderImage(scene, s, 1);
