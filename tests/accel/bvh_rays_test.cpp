@@ -160,7 +160,7 @@ TEST_CASE("a quad that is grazed is hit within its box") {
     if (!hit.found()) continue;
     ++hits;
     Vec3d const p = inDouble(ray.origin) + double(hit.t) * inDouble(d);
-    double const rounding = 2e-6;  // of the plane's t it was a thousand times that
+    double const rounding = 2e-6;
     for (int k = 0; k < 3; ++k) {
       auto const [least, most] = std::minmax({quad.a[k], quad.b[k], quad.c[k], quad.d[k]});
       outside += p[k] < double(least) - rounding || p[k] > double(most) + rounding;
