@@ -158,7 +158,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     if (!hasCaustics()) return;
     gatherFrom(caustics_, PhotonClass::caustic, i, s.causticPaths(), Real(radiusOf(i + 1, s.causticRadius)));
     if (isAdaptive() && isDue(i)) {
-      this->backend_.forEach(this->frame_.slots(), AdaptDiscs{this->frame_, discs_.view(), nextScale_.span()});
+      this->backend_.forEach(this->frame_.slots(), AdaptDiscs{discs_.view(), nextScale_.span()});
       this->backend_.forEach(this->frame_.slots(),
                              ResizeDiscs{nextScale_.view(), discs_.span(), this->stateBuffer_.view()});
     }

@@ -3,7 +3,6 @@
 // evenly over it. A test for evenness that shrinks a disc where it fails is Lin et al. 2020's (chi-squared progressive
 // photon mapping); here it looks at what the bias of a disc comes from, the flux's second moment.
 
-#include "render/kernels/frame_view.h"
 #include "render/kernels/gather.h"
 #include "render/photons/photon_store.h"
 
@@ -24,7 +23,7 @@ struct DiscMoments {
     return flux * flux >= 8 * squares && 12 * radial * radial > significance * significance * squares;
   }
 
-  static constexpr float significance = 1.5f;  ///< low: a disc that is too small costs less than one too large
+  static constexpr float significance = 1;  ///< low: a disc that is too small costs less than one too large
 };
 
 /// What is kept of a pixel's disc. scale: of the iteration's radius; 0: not chosen yet.
@@ -98,30 +97,19 @@ struct GatherAdaptive {
   }
 };
 
-/// The scale for the next iterations: smaller where a pixel and its neighbours together find their discs uneven.
+/// The scale for the next iterations: smaller where a disc is uneven. Neighbours are not asked: their discs hold the
+/// same photons, so that together they would be surer than they are, and discs would shrink as fast as photons come in.
 struct AdaptDiscs {
   static constexpr const char* name = "AdaptDiscs";
   static constexpr std::uint32_t grain = 4096;
-  static constexpr float step = 0.7f, alike = 1.5f;
+  static constexpr float step = 0.7f;
 
-  FrameView frame;
   Span<const DiscState> discs;
   Span<float> next;
 
   RL_HD void operator()(std::uint32_t slot, Tally&) const {
-    int x, y;
     float const scale = discs[slot].scale;
-    next[slot] = scale;
-    if (!frame.pixelOf(slot, x, y) || !(scale > 0)) return;
-    DiscMoments sum;
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        if (x + dx < 0 || x + dx >= frame.width || y + dy < 0 || y + dy >= frame.height) continue;
-        DiscState const near = discs[frame.slotOf(x + dx, y + dy)];
-        if (near.scale > scale * alike || near.scale * alike < scale) continue;
-        sum += near.moments;
-      }
-    if (sum.uneven()) next[slot] = scale * step;
+    next[slot] = scale > 0 && discs[slot].moments.uneven() ? scale * step : scale;
   }
 };
 

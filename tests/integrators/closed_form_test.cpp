@@ -130,7 +130,7 @@ TEST_CASE("the caustic of a plane mirror is the light of its image source" * doc
   settings.photons = 262144;
   settings.radius = 0.03;
   double const radiance = 4 * rectangleFactor(1.4 - x, 1.8 - x, -0.2, 0.2, 1);
-  CHECK(meanOf(renderImage(scene, settings, 64)) == doctest::Approx(radiance).epsilon(0.01));
+  CHECK(meanOf(renderImage(scene, settings, 512)) == doctest::Approx(radiance).epsilon(0.01));
 }
 
 TEST_CASE("the film's mean does not stall") {
