@@ -67,7 +67,6 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
     glossy_.allocate(this->backend_, "gather points", hasPhotons() && isGlossy() ? this->frame_.slots() : 0);
     std::uint32_t const discs = hasPhotons() && hasCaustics() && !isGlossy() ? this->frame_.slots() : 0;
     discs_.allocate(this->backend_, "gather points", discs);
-    nextScale_.allocate(this->backend_, "gather points", discs);
     if (!hasPhotons()) {
       caustics_.release();
       return map_.release();
@@ -157,11 +156,8 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
                Real(radiusOf(i + 1, s.radius)));
     if (!hasCaustics()) return;
     gatherFrom(caustics_, PhotonClass::caustic, i, s.causticPaths(), Real(radiusOf(i + 1, s.causticRadius)));
-    if (isAdaptive() && isDue(i)) {
-      this->backend_.forEach(this->frame_.slots(), AdaptDiscs{discs_.view(), nextScale_.span()});
-      this->backend_.forEach(this->frame_.slots(),
-                             ResizeDiscs{nextScale_.view(), discs_.span(), this->stateBuffer_.view()});
-    }
+    if (isAdaptive() && isDue(i))
+      this->backend_.forEach(this->frame_.slots(), AdaptDiscs{discs_.span(), this->stateBuffer_.view()});
   }
 
   void gatherFrom(PhotonMap<Backend>& map, PhotonClass photonClass, std::uint64_t i, std::uint64_t photons,
@@ -210,8 +206,7 @@ class SppmIntegrator final : public IntegratorBase<Backend> {
   PhotonMap<Backend> map_, caustics_;
   Buffer<GatherPoint> points_;
   Buffer<GlossyPoint> glossy_;
-  Buffer<DiscState> discs_;  ///< of caustics
-  Buffer<float> nextScale_;
+  Buffer<DiscState> discs_;       ///< of caustics
   Buffer<PhotonPoint> points3d_;  ///< for a window
   std::uint64_t budget_ = 0;
   std::uint64_t plannedPhotons_ = 0, plannedMemory_ = 0;

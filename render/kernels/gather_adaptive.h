@@ -104,25 +104,12 @@ struct AdaptDiscs {
   static constexpr std::uint32_t grain = 4096;
   static constexpr float step = 0.7f;
 
-  Span<const DiscState> discs;
-  Span<float> next;
-
-  RL_HD void operator()(std::uint32_t slot, Tally&) const {
-    float const scale = discs[slot].scale;
-    next[slot] = scale > 0 && discs[slot].moments.uneven() ? scale * step : scale;
-  }
-};
-
-struct ResizeDiscs {
-  static constexpr const char* name = "ResizeDiscs";
-  static constexpr std::uint32_t grain = 8192;
-
-  Span<const float> next;
   Span<DiscState> discs;
   Span<const IterationState> state;
 
   RL_HD void operator()(std::uint32_t slot, Tally&) const {
-    if (!state[0].halt && next[slot] < discs[slot].scale) discs[slot] = DiscState{next[slot], {}};
+    DiscState const disc = discs[slot];
+    if (!state[0].halt && disc.scale > 0 && disc.moments.uneven()) discs[slot] = DiscState{disc.scale * step, {}};
   }
 };
 

@@ -87,7 +87,7 @@ std::map<std::string, std::uint64_t> memoryNeed(const Settings& s, FeatureBits f
   addMap(cpu::planPhotons(apart ? s.otherPaths() : s.photons, budget - forCaustics, cpu::expectedPerPath,
                           cpu::expectedTail),
          need);
-  if (apart) need["gather points"] += slots * (sizeof(cpu::DiscState) + sizeof(float));
+  if (apart) need["gather points"] += slots * sizeof(cpu::DiscState);
   if (apart) addMap(cpu::planCaustics(s.causticPaths(), forCaustics), need);
   return need;
 }
