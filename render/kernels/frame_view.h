@@ -44,11 +44,6 @@ struct FrameView {
     return x < width && y < height;
   }
 
-  RL_HD std::uint32_t slotOf(int x, int y) const {
-    std::uint32_t const across = std::uint32_t((width + 7) / 8);
-    return (std::uint32_t(y / 4) * across + std::uint32_t(x / 8)) * 32 + std::uint32_t((y & 3) * 8 + (x & 7));
-  }
-
   RL_HD Sampler cameraSampler(int x, int y) const {
     return Sampler(sampler, cameraSeed, Stream::camera, std::uint32_t(y * width + x), iteration);
   }
